@@ -18,8 +18,8 @@ bool is_in_a_box(const FrameParticlesSetup& setup, const Vec3d& reference) {
 
 /// One of n particles in each direction: by the cells of a lattice, in a point cloud by the order of its particles.
 bool is_on_stride(const Particles& particles, std::size_t particle, std::size_t slot, int n) {
-  if (const Lattice* lattice = particles.lattice()) {
-    const auto [i, j, k] = lattice->cell(slot);
+  if (const Lattice* lattice = particles.whole_lattice()) {
+    const auto [i, j, k] = lattice->cell(particles.share().whole_slot(slot));
     return i % n == 0 && j % n == 0 && k % n == 0;
   }
   const auto one = static_cast<std::size_t>(n);
@@ -33,10 +33,10 @@ bool is_always_written(const FrameParticlesSetup& setup, const Particles& partic
 }
 
 bool has_particle_in(const FrameBoxSetup& box, const Simulation& simulation) {
-  return std::any_of(simulation.bodies().begin(), simulation.bodies().end(), [&](const Body& body) {
+  return simulation.ranks().any(std::any_of(simulation.bodies().begin(), simulation.bodies().end(), [&](const Body& body) {
     const auto slots = body.particles.slot_of();
     return std::any_of(slots.begin(), slots.end(), [&](std::uint32_t slot) { return box.contains(body.particles.reference(slot)); });
-  });
+  }));
 }
 
 }  // namespace

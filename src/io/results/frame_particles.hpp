@@ -10,7 +10,7 @@
 
 namespace perimpact {
 
-/// Numbers of particles in the order of Particles::slot_of(), ascending; all where absent.
+/// Numbers of particles of this rank in the order of Particles::slot_of(), ascending; all where absent.
 using ParticleNumbers = std::optional<std::vector<std::int32_t>>;
 
 class FrameParticles {
@@ -20,9 +20,9 @@ class FrameParticles {
 
   bool is_thinned() const { return is_thinned_; }
   bool varies() const { return varies_; }                        ///< from frame to frame
-  std::size_t in_every_frame() const { return always_.size(); }  ///< number of the particles that are in every thinned frame
+  std::size_t in_every_frame() const { return always_.size(); }  ///< number of the particles of this rank that are in every thinned frame
 
-  /// The particles in a frame of the current state. `fragments`: of the body; absent if its bonds cannot break.
+  /// The particles of this rank in a frame of the current state. `fragments`: of the body; absent if its bonds cannot break.
   ParticleNumbers now(const Body& body, const Fragments* fragments) const;
 
  private:
@@ -33,7 +33,7 @@ class FrameParticles {
   std::vector<std::int32_t> candidates_;  // the others that may come to be written; none unless varies_
 };
 
-/// Of each body. Throws SetupError with the key of a box in which there is no particle of any body.
+/// Of each body. Throws SetupError with the key of a box in which there is no particle of any body. Collective.
 std::vector<FrameParticles> frame_particles_of(const Simulation& simulation);
 
 }  // namespace perimpact

@@ -16,19 +16,24 @@ namespace perimpact {
 class ParticleFrame {
  public:
   /// The current state of a body, which must outlive the frame, as its fragments; these are absent if its bonds cannot break. `fields`: of frame_field_words;
-  /// those that the body has are written. `varies`: the numbers of the particles change from frame to frame.
+  /// those that the body has are written. `particles`: of this rank. `varies`: the numbers of the particles change from frame to frame.
   ParticleFrame(const Body& body, const Fragments* fragments, std::span<const std::string> fields, ParticleNumbers particles, bool varies);
 
-  /// Passes the frame to the sink. A thinned one has the number of each particle in its body as the field `particle`.
+  /// Passes the frame to the sink, on the root that of all ranks. A thinned one has the number of each particle in its body as the field `particle`.
+  /// Collective.
   void write(const frames::Sink& sink) const;
 
  private:
-  std::size_t size() const;
+  std::size_t size() const;  // of this rank
   std::size_t number(std::size_t index) const { return particles_ ? static_cast<std::size_t>((*particles_)[index]) : index; }
   template <class Value>
   output::MadeFloats floats(const Value& value) const;
   template <class Number>
   output::Numbers selected(std::span<const Number> all, std::vector<Number>& store) const;
+  template <class Number, class Value>
+  std::vector<Number> gathered(const Value& value) const;
+  std::vector<std::uint32_t> slots() const;
+  std::vector<std::int32_t> numbers_in_body() const;
 
   const Body& body_;
   const Fragments* fragments_;

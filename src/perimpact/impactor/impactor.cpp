@@ -144,6 +144,7 @@ void Impactor::advance(const Step& step) {
     motion_ = in_run(name_, [&] { return coupling_.advance(*body_, step.dt); });
   is_first_pass_ = true;
   pending_.clear();
+  pending_on_panels_.clear();
   put_back_.clear();
   account_.contacts = 0;
   last_step_.impulse = last_step_.angular_impulse = {};
@@ -223,8 +224,10 @@ std::span<const Contact> Impactor::respond_to_deforming_contacts(std::size_t bod
     const double mass = particles.mass(i);
     const PanelImpulse after = resolved(deforming, particles.position_t0(i), particles.velocity(i), mass, motion_.dt, friction_);
     particles.set(i, after.point.position, after.point.velocity);
-    deforming_->iteration().add(deforming, mass, after, friction_);
-    pending_.push_back({{body, contact, after.on_surface, i}, after.point.position, particles.work_of(i, -after.on_surface), mass});
+    ContactImpulse contact_impulse{body, contact, after.on_surface, i};
+    contact_impulse.contact.point = particles.whole_slot(i);
+    pending_.push_back({contact_impulse, after.point.position, particles.work_of(i, -after.on_surface), mass});
+    pending_on_panels_.push_back({body, {contact_impulse.contact, deforming.place}, after, mass});
     contacts_.push_back(contact);
   }
   return contacts_;
@@ -245,8 +248,16 @@ void Impactor::collect_contacts(Ranks& ranks) {
   }
   const auto body_and_slot = [](const Pending& one) { return std::pair(one.contact_impulse.body, one.contact_impulse.contact.point); };
   std::ranges::stable_sort(pending_, {}, body_and_slot);
-  if (deforming_) return;  // contacts are added as they are found
+  if (deforming_) return collect_panel_contacts(ranks);
   for (const Pending& one : pending_) coupling_.add(one.contact_impulse.contact, one.mass, one.place, one.contact_impulse.impulse, friction_);
+}
+
+void Impactor::collect_panel_contacts(Ranks& ranks) {
+  static_assert(std::is_trivially_copyable_v<PendingOnPanel>);
+  std::vector<PendingOnPanel> all = ranks.join_all(std::span<const PendingOnPanel>(pending_on_panels_));
+  const auto body_and_slot = [](const PendingOnPanel& one) { return std::pair(one.body, one.contact.contact.point); };
+  std::ranges::stable_sort(all, {}, body_and_slot);
+  for (const PendingOnPanel& one : all) deforming_->iteration().add(one.contact, one.mass, one.impulse, friction_);
 }
 
 bool Impactor::moved_with_contact() {
@@ -258,6 +269,7 @@ void Impactor::repeat_step(bool last) {
   constexpr double near = 0.1;
   is_first_pass_ = false;
   pending_.clear();
+  pending_on_panels_.clear();
   if (deforming_) {
     StructureCoupling& iteration = deforming_->iteration();
     in_run(name_, [&] { last && !iteration.agrees(near) ? iteration.retreat() : iteration.correct(); });

@@ -230,9 +230,17 @@ class Impactor {
     double work_on_particle;  // [J]
     double mass;              // [kg] of the particle
   };
+  /// What the structure of a deforming surface receives of such a contact; its particle is numbered on the lattice of the whole body.
+  struct PendingOnPanel {
+    std::size_t body;
+    fccda::DeformingContact contact;
+    fccda::PanelImpulse impulse;
+    double mass;  // [kg] of the particle
+  };
 
   std::span<const fccda::Contact> respond_to_contacts(std::size_t body, ContactParticles& particles);
   std::span<const fccda::Contact> respond_to_deforming_contacts(std::size_t body, ContactParticles& particles);
+  void collect_panel_contacts(Ranks& ranks);
   fccda::Impulse sum_of_pending() const;
   void expect_deformable() const;
   template <class Make>
@@ -258,6 +266,7 @@ class Impactor {
   bool is_coupled_;
   bool is_first_pass_ = true;
   std::vector<Pending> pending_;                               // of this pass
+  std::vector<PendingOnPanel> pending_on_panels_;              // of this pass and rank, if the surface deforms
   std::vector<std::pair<std::size_t, std::size_t>> put_back_;  // body and particle, in the last step
   Account account_;
   LastStep last_step_;

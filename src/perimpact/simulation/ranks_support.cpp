@@ -20,14 +20,11 @@ namespace {
 
 void expect_supported_by(int ranks, const Setup& setup) {
   if (ranks == 1) return;
-  if (setup.output.frame_particles) refuse("output.frame_particles", "frames of a part of the particles are");
   for (const BodySetup& body : setup.bodies) {
     const std::string key = "bodies." + body.name;
     if (is_cloud(body)) refuse(key + ".shape", "bodies from a file of particles are");
     if (body.moving_window) refuse(key + ".moving_window", "moving windows are");
   }
-  for (const ImpactorSetup& impactor : setup.impactors)
-    if (impactor.elastic) refuse("impactors." + impactor.name + ".elastic", "elastic impactors are");
 }
 
 void expect_parts_for_all(const RanksInTurn& in_turn) {

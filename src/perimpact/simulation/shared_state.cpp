@@ -6,7 +6,9 @@ namespace perimpact {
 
 const Body* body_of_points(std::string_view name, std::span<const Body> bodies) {
   if (!name.ends_with(".points_inside") && !name.ends_with(".points_in_contact")) return nullptr;
-  const std::string_view before = name.substr(0, name.rfind('.'));
+  constexpr std::string_view deforming = ".deforming";  // the detector of a deforming surface
+  std::string_view before = name.substr(0, name.rfind('.'));
+  if (before.ends_with(deforming)) before.remove_suffix(deforming.size());
   const std::string_view number = before.substr(before.rfind('.') + 1);
   std::size_t body = 0;
   const auto [end, error] = std::from_chars(number.data(), number.data() + number.size(), body);

@@ -1,13 +1,17 @@
 #include <doctest/doctest.h>
 
+#include <atomic>
 #include <filesystem>
 #include <fstream>
 #include <iterator>
 #include <map>
 #include <string>
 
+#include "base/parallel.hpp"
 #include "fixtures/temporary_folder.hpp"
 #include "io/checkpoint/checkpoint.hpp"
+#include "io/output/vtp.hpp"
+#include "io/results/particle_frame.hpp"
 #include "io/results/results_writer.hpp"
 #include "perimpact/bodies.hpp"
 #include "perimpact/ranks/in_process.hpp"
@@ -48,6 +52,16 @@ Setup broken_plate() {
   setup.output.probes = {{"centre", "plate", {0, 0, 0}}};
   setup.output.lines = {{.name = "along", .body = "plate", .from = {-0.02, 0.001, 0.001}, .to = {0.02, 0.001, 0.001}}};
   return setup;
+}
+
+/// A tenth or so of the particles, from frame to frame others.
+FrameParticlesSetup mixed_selection() {
+  FrameBoxSetup upper, aside;
+  upper.name = "upper", upper.lower = {-1, 0.004, -1}, upper.upper = {1, 1, 1};
+  aside.name = "aside", aside.lower = {0.0959, -1, -1}, aside.upper = {1, 1, 1};  // in the block, of which some ranks own nothing there
+  FrameParticlesSetup selection;
+  selection.damage_above = 0.2, selection.detached = true, selection.stride = 4, selection.boxes = {upper, aside};
+  return selection;
 }
 
 struct Run {
@@ -108,6 +122,91 @@ TEST_CASE("ranks: the results are those of one rank, byte for byte") {
       if (name != "run.json" && name != "half.h5") CHECK(other.files.at(name) == contents);  // times of the clock
     }
   }
+}
+
+TEST_CASE("ranks: the particles of thinned frames, their numbers and fields are those of one rank for every selection, with any number of threads") {
+  FrameParticlesSetup surface, stride, damaged, detached;
+  surface.surface = true;
+  stride.stride = 3;
+  damaged.damage_above = 0.1;
+  detached.detached = true;
+  const std::vector<FrameParticlesSetup> selections{surface, stride, damaged, detached, mixed_selection()};
+  const Setup setup = broken_plate();
+  const ::fixtures::TemporaryFolder folder;
+  const auto frames_of = [&](int ranks) {
+    const std::filesystem::path frames = folder / std::to_string(ranks);
+    std::filesystem::create_directory(frames);
+    run_in_process(ranks, [&](Ranks& its) {
+      Simulation simulation(setup, {}, its);
+      while (!simulation.clock().is_finished()) simulation.step();
+      for (std::size_t k = 0; k < selections.size(); ++k)
+        for (const Body& body : simulation.bodies()) {
+          const Fragments fragments(body.particles, body.family);
+          const FrameParticles particles(selections[k], body);
+          const ParticleFrame frame(body, &fragments, setup.output.frame_fields, particles.now(body, &fragments), particles.varies());
+          frame.write([&](const output::PolyData& written) {
+            if (!its.is_root()) return;
+            CHECK((output::count_of(written.points) > 0 || (body.name == "block" && selections[k].varies())));
+            output::write_vtp(frames / (std::to_string(k) + body.name), written, output::Compression::zlib);
+          });
+        }
+    });
+    return files_in(frames);
+  };
+  const std::map<std::string, std::string> one = frames_of(1);
+  CHECK(one.size() == 2 * selections.size());
+  const int threads = fccda::thread_count();
+  for (const int ranks : {2, 3, 4, 7}) {
+    CAPTURE(ranks);
+    fccda::use_threads(1 + ranks % 2);
+    const std::map<std::string, std::string> others = frames_of(ranks);
+    for (const auto& [name, contents] : one) {
+      CAPTURE(name);
+      CHECK(others.at(name) == contents);
+    }
+  }
+  fccda::use_threads(threads);
+}
+
+TEST_CASE("ranks: a run writes the thinned frames of one rank, byte for byte, in both formats") {
+  Setup setup = broken_plate();
+  setup.output.frame_particles = mixed_selection();
+  const ::fixtures::TemporaryFolder folder;
+  for (const FrameFormat format : {FrameFormat::vtp, FrameFormat::vtkhdf}) {
+    setup.output.frame_format.index = static_cast<int>(format);
+    const std::string form(setup.output.frame_format.word());
+    const Run one = run(setup, 1, folder / (form + "1")), four = run(setup, 4, folder / (form + "4"));
+    for (const auto& [name, contents] : one.files) {
+      CAPTURE(name);
+      REQUIRE(four.files.contains(name));
+      if (name.starts_with("frames/")) CHECK(four.files.at(name) == contents);
+    }
+  }
+}
+
+TEST_CASE("ranks: a box of thinned frames without particles is refused by all ranks, and one whose particles are all on one rank is not") {
+  Setup setup = broken_plate();
+  FrameBoxSetup box;
+  box.name = "corner", box.lower = {0.026, 0.016, 0.002}, box.upper = {0.03, 0.02, 0.004};
+  setup.output.frame_particles.emplace().boxes = {box};
+  run_in_process(4, [&](Ranks& its) {
+    const Simulation simulation(setup, {}, its);
+    const std::vector<FrameParticles> particles = frame_particles_of(simulation);
+    CHECK(its.sum(static_cast<std::int64_t>(particles[0].in_every_frame())) == 4);
+  });
+  setup.output.frame_particles->boxes[0].lower.x = 0.0311;
+  setup.output.frame_particles->boxes[0].upper.x = 0.04;
+  std::atomic<int> refused = 0;
+  run_in_process(4, [&](Ranks& its) {
+    const Simulation simulation(setup, {}, its);
+    try {
+      frame_particles_of(simulation);
+    } catch (const SetupError& error) {
+      ++refused;
+      CHECK(error.key() == "output.frame_particles.boxes.corner");
+    }
+  });
+  CHECK(refused == 4);
 }
 
 TEST_CASE("ranks: a checkpoint of any number of ranks resumes on any other, bitwise exactly") {

@@ -1,0 +1,60 @@
+/// What a run computes from step to step, for comparison between numbers of ranks and threads.
+#pragma once
+
+#include <doctest/doctest.h>
+
+#include <cstdint>
+#include <vector>
+
+#include "base/parallel.hpp"
+#include "perimpact/ranks/in_process.hpp"
+#include "perimpact/simulation/simulation.hpp"
+
+namespace fixtures {
+
+using namespace perimpact;
+
+struct Trace {
+  std::vector<std::uint64_t> hashes;      ///< of the state after every fifth step and the last
+  std::vector<std::vector<double>> rows;  ///< of the history
+  std::size_t contacts = 0;               ///< of impactors, summed over steps
+  std::int64_t broken_bonds = 0;          ///< of all bodies
+};
+
+/// Runs the setup to its end, with ranks that are threads of this process and `threads` threads each.
+inline Trace trace(const Setup& setup, int ranks, int threads = 1) {
+  Trace of_root;
+  const int before = fccda::thread_count();
+  fccda::use_threads(threads);
+  run_in_process(ranks, [&](Ranks& its) {
+    Trace trace;
+    Simulation simulation(setup, {}, its);
+    while (!simulation.clock().is_finished()) {
+      simulation.step();
+      trace.contacts += simulation.contacts();
+      if (simulation.clock().step % 5 == 0 || simulation.clock().is_finished()) trace.hashes.push_back(simulation.state_hash());
+      if (simulation.monitors().is_due(simulation.clock())) trace.rows.emplace_back(simulation.monitors().row().begin(), simulation.monitors().row().end());
+    }
+    for (const Body& body : simulation.bodies()) trace.broken_bonds += static_cast<std::int64_t>(body.internal.broken_bonds());
+    if (its.is_root()) of_root = trace;
+  });
+  fccda::use_threads(before);
+  return of_root;
+}
+
+/// Checks that 2, 3, 4 and 7 ranks compute bitwise what one computes, with one and with two threads. Returns what one computes.
+inline Trace expect_equal_on_ranks(const Setup& setup) {
+  const Trace one = trace(setup, 1);
+  for (const int ranks : {2, 3, 4, 7})
+    for (const int threads : {1, 2}) {
+      CAPTURE(ranks);
+      CAPTURE(threads);
+      const Trace other = trace(setup, ranks, threads);
+      CHECK(other.hashes == one.hashes);
+      CHECK(other.rows == one.rows);
+      CHECK(other.contacts == one.contacts);
+    }
+  return one;
+}
+
+}  // namespace fixtures

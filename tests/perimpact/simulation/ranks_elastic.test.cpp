@@ -1,0 +1,99 @@
+// Elastic impactors on several ranks.
+#include <doctest/doctest.h>
+
+#include <filesystem>
+#include <sstream>
+#include <string>
+
+#include "fixtures/temporary_folder.hpp"
+#include "perimpact/bodies.hpp"
+#include "perimpact/rank_traces.hpp"
+
+namespace perimpact {
+
+namespace {
+
+/// A bending and a stretching mode of a body about the origin, of that many Hz and so compliant that contact moves its vertices visibly.
+std::string modes_text(const fccda::Surface& surface) {
+  std::ostringstream text;
+  text.precision(17);
+  text << "frequency [Hz], 20000, 50000\ndamping_ratio, 0.02\nx [m], y [m], z [m], mode_1_x, mode_1_y, mode_1_z, mode_2_x, mode_2_y, mode_2_z\n";
+  for (const Vec3d& X : surface.panels().vertices)
+    text << X.x << ',' << X.y << ',' << X.z << ",0," << 3e4 * (X.x * X.x - 5e-5) << ",0," << 400 * X.x << ',' << -300 * X.y << ",0\n";
+  return text.str();
+}
+
+/// An elastic cylinder that flies in x and y, or is guided there, breaks the edge of a plate, which a rigid ball presses against it from aside.
+Setup plate(const std::filesystem::path& folder, bool is_free, double friction) {
+  Setup setup;
+  setup.time = {.end = 1e-5, .step = 2e-7};
+  setup.output.history_interval = 1e-6;
+  BodySetup plate = fixtures::body_setup({.size = {0.068, 0.042, 0.010}, .spacing = 0.002, .poissons_ratio = 0.3, .critical_stretch = 2e-3});
+  plate.name = "plate";
+  setup.bodies = {plate};
+  ImpactorSetup cylinder;
+  cylinder.name = "cylinder";
+  cylinder.surface = CylinderSurface{.diameter = 0.03, .height = 0.03, .edge_length = 0.002};
+  cylinder.mass = 0.02;
+  cylinder.position = {0.003, 0.0361, 0};
+  cylinder.velocity = {5, -200, 0};
+  if (is_free) cylinder.free_dofs = {"x", "y", "rz"};
+  const std::filesystem::path file = folder / "modes.csv";
+  fixtures::put(file, modes_text(surface_of(cylinder).remeshed.surface));
+  cylinder.elastic = ElasticImpactorSetup{.modes = file.string()};
+  ImpactorSetup ball;
+  ball.name = "ball";
+  ball.surface = SphereSurface{.diameter = 0.012, .edge_length = 0.002};
+  ball.mass = 0.002;
+  ball.position = {0.0225, 0.0285, 0};
+  ball.velocity = {-40, -120, 0};
+  ball.free_dofs = {"x", "y"};
+  setup.impactors = {cylinder, ball};
+  setup.contact.impactors.friction = friction;
+  return setup;
+}
+
+/// In place of the cylinder an open sheet of 6 x 4 panels that faces the edge.
+Setup plate_below_sheet(const std::filesystem::path& folder) {
+  Setup setup = plate(folder, true, 0.2);
+  ImpactorSetup& sheet = setup.impactors[0];
+  std::ostringstream text;
+  for (int i = 0; i <= 6; ++i)
+    for (int k = 0; k <= 4; ++k) text << "v " << 0.005 * (i - 3) << " 0 " << 0.005 * (k - 2) << '\n';
+  for (int i = 0; i < 6; ++i)
+    for (int k = 1; k <= 4; ++k) text << "f " << 5 * i + k << ' ' << 5 * i + k + 5 << ' ' << 5 * i + k + 6 << ' ' << 5 * i + k + 1 << '\n';
+  fixtures::put(folder / "sheet.obj", text.str());
+  sheet.surface = FileSurface{.file = (folder / "sheet.obj").string(), .orientation = Choice{open_side_words, static_cast<int>(fccda::Orientation::normals)}};
+  sheet.inertia = Vec3d{1e-6, 1e-6, 1e-6};
+  sheet.centre_of_mass = Vec3d{};
+  sheet.position.y = 0.0213;
+  fixtures::put(sheet.elastic->modes, modes_text(surface_of(sheet).remeshed.surface));
+  return setup;
+}
+
+}  // namespace
+
+TEST_CASE("ranks: the motion and modes of an elastic impactor that breaks a plate beside a rigid one are bitwise those of one rank") {
+  const ::fixtures::TemporaryFolder folder;
+  for (const bool is_free : {true, false}) {
+    CAPTURE(is_free);
+    const fixtures::Trace one = fixtures::expect_equal_on_ranks(plate(folder.path(), is_free, is_free ? 0.2 : 0));
+    CHECK(one.contacts > 500);
+    CHECK(one.broken_bonds > 0);
+  }
+}
+
+TEST_CASE("ranks: an open elastic sheet remembers the particles in contact with it as on one rank") {
+  const ::fixtures::TemporaryFolder folder;
+  const Setup setup = plate_below_sheet(folder.path());
+  Simulation simulation(setup);
+  while (!simulation.clock().is_finished()) simulation.step();
+  std::size_t remembered = 0;
+  simulation.visit_state([&](std::string_view name, auto&& values) {
+    if (name == "cylinder.0.deforming.points_in_contact") remembered = fccda::numbers_in(values).size();
+  });
+  CHECK(remembered > 10);
+  CHECK(fixtures::expect_equal_on_ranks(setup).broken_bonds > 0);
+}
+
+}  // namespace perimpact
