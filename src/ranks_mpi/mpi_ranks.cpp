@@ -20,9 +20,14 @@ MpiRanks::MpiRanks(std::size_t chunk) : chunk_(chunk) {
 
 MpiRanks::~MpiRanks() { MPI_Finalize(); }
 
-void MpiRanks::exchange(std::span<const Outgoing> send, std::span<const Incoming> receive) {
-  constexpr int tag = 0;  // the parts of a message are received in the order in which they are sent
-  std::vector<MPI_Request> requests;
+std::unique_ptr<Ranks::Exchange> MpiRanks::begin_exchange(std::span<const Outgoing> send, std::span<const Incoming> receive) {
+  struct Requests final : Exchange {
+    void complete() override { MPI_Waitall(static_cast<int>(requests.size()), requests.data(), MPI_STATUSES_IGNORE); }
+    std::vector<MPI_Request> requests;
+  };
+  constexpr int tag = 0;  // messages between two ranks, and their parts, are received in the order in which they are sent
+  auto exchange = std::make_unique<Requests>();
+  std::vector<MPI_Request>& requests = exchange->requests;
   const auto for_each_part = [this](std::size_t bytes, const auto& pass) {
     for (std::size_t begin = 0; begin < bytes; begin += chunk_) pass(begin, static_cast<int>(std::min(chunk_, bytes - begin)));
   };
@@ -34,7 +39,7 @@ void MpiRanks::exchange(std::span<const Outgoing> send, std::span<const Incoming
     for_each_part(message.bytes.size(), [&](std::size_t begin, int count) {
       MPI_Isend(message.bytes.data() + begin, count, MPI_BYTE, message.to, tag, world_, &requests.emplace_back());
     });
-  MPI_Waitall(static_cast<int>(requests.size()), requests.data(), MPI_STATUSES_IGNORE);
+  return exchange;
 }
 
 template <class T>

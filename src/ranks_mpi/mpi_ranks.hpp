@@ -19,7 +19,7 @@ class MpiRanks final : public Processes {
 
   int rank() const override { return rank_; }
   int size() const override { return size_; }
-  void exchange(std::span<const Outgoing> send, std::span<const Incoming> receive) override;
+  std::unique_ptr<Exchange> begin_exchange(std::span<const Outgoing> send, std::span<const Incoming> receive) override;
   using Ranks::max;
   using Ranks::sum;
   void sum(std::span<std::int64_t> values) override;

@@ -154,12 +154,8 @@ class Breaking {
   /// Calls f(slot) for the postponed packs.
   template <class Pack, class F>
   void for_each_postponed(const Particles& particles, const F& f) const {
-    fccda::parallel_for(static_cast<std::ptrdiff_t>(particles.rows()), [&](std::ptrdiff_t r) {
-      const auto row = static_cast<std::size_t>(r);
-      if (!row_has_postponed_[row]) return;
-      for_each_pack_of_row<Pack>(particles, row, [&](std::size_t slot) {
-        if (postponed_[slot / fccda::lanes<Pack>]) f(slot);
-      });
+    for_each_pack_in_rows<Pack>(particles, [&](std::size_t row, std::size_t slot) {
+      if (row_has_postponed_[row] && postponed_[slot / fccda::lanes<Pack>]) f(slot);
     });
   }
 
@@ -188,18 +184,15 @@ void Breaking::for_each_pack(const Bonds& bonds, const Particles& particles, Fam
   const bool hardens = options.may_break && rule_ && rule_->hardening > 0;
   if (hardens && options.with_energy) std::fill(postponed_.begin(), postponed_.end(), no);
   choose<Bonds>(family, options.may_break, [&](const auto& breaker) {
-    fccda::parallel_for(static_cast<std::ptrdiff_t>(particles.rows()), [&](std::ptrdiff_t r) {
-      const auto row = static_cast<std::size_t>(r);
-      for_each_pack_of_row<Pack>(particles, row, [&](std::size_t slot) {
-        const std::size_t eight = slot / fccda::byte_lanes;
-        if (options.with_energy && slot % fccda::byte_lanes == 0) sums.energy[eight] = 0;
-        bool is_postponed = hardens && postponed_[slot / fccda::lanes<Pack>] != no;
-        if (!is_postponed) {
-          const double of_pack = per_pack(eight, slot, breaker.with({&sums.broken_ends[eight], hardens ? &is_postponed : nullptr}));
-          if (!is_postponed && options.with_energy) sums.energy[eight] += of_pack;
-        }
-        if (is_postponed) postponed_[slot / fccda::lanes<Pack>] = row_has_postponed_[row] = yes;
-      });
+    for_each_pack_in_rows<Pack>(particles, [&](std::size_t row, std::size_t slot) {
+      const std::size_t eight = slot / fccda::byte_lanes;
+      if (options.with_energy && slot % fccda::byte_lanes == 0) sums.energy[eight] = 0;
+      bool is_postponed = hardens && postponed_[slot / fccda::lanes<Pack>] != no;
+      if (!is_postponed) {
+        const double of_pack = per_pack(eight, slot, breaker.with({&sums.broken_ends[eight], hardens ? &is_postponed : nullptr}));
+        if (!is_postponed && options.with_energy) sums.energy[eight] += of_pack;
+      }
+      if (is_postponed) postponed_[slot / fccda::lanes<Pack>] = row_has_postponed_[row] = yes;
     });
   });
   if (!hardens) return;

@@ -30,20 +30,43 @@ struct PassOptions {
   double dt = 0;          ///< [s] last step, which led to these positions at the current velocities; 0: state of equilibrium
 };
 
-/// Calls f(slot) for all packs of owned slots of a row, in order.
+/// Calls f(row, slot) for all packs of owned slots, rows in parallel. While ghosts are refreshed packs that read none come first, and the refresh is completed
+/// before the others: so messages travel during the computation.
 template <class Pack, class F>
-void for_each_pack_of_row(const Particles& particles, std::size_t row, const F& f) {
-  const auto [begin, end] = particles.owned_slots(row);
-  for (std::size_t slot = begin; slot < end; slot += fccda::lanes<Pack>) f(slot);
+void for_each_pack_in_rows(const Particles& particles, const F& f) {
+  const auto in_rows = [&](const auto& range_of) {
+    fccda::parallel_for(static_cast<std::ptrdiff_t>(particles.rows()), [&](std::ptrdiff_t number) {
+      const auto row = static_cast<std::size_t>(number);
+      range_of(row, [&](std::size_t begin, std::size_t end) {
+        for (std::size_t slot = begin; slot < end; slot += fccda::lanes<Pack>) f(row, slot);
+      });
+    });
+  };
+  const Share& share = particles.share();
+  if (!share.is_refreshing()) {
+    in_rows([&](std::size_t row, const auto& visit) {
+      const auto [begin, end] = particles.owned_slots(row);
+      visit(begin, end);
+    });
+    return;
+  }
+  in_rows([&](std::size_t row, const auto& visit) {
+    const auto [begin, end] = particles.interior_slots(row);
+    visit(begin, end);
+  });
+  share.complete_refresh();
+  in_rows([&](std::size_t row, const auto& visit) {
+    const auto owned = particles.owned_slots(row), interior = particles.interior_slots(row);
+    if (interior.begin == interior.end) return visit(owned.begin, owned.end);
+    visit(owned.begin, interior.begin);
+    visit(interior.end, owned.end);
+  });
 }
 
 /// Calls f(eight, slot) for all packs of a body, rows in parallel.
 template <class Pack, class F>
 void for_each_pack(const Particles& particles, const F& f) {
-  fccda::parallel_for(static_cast<std::ptrdiff_t>(particles.rows()), [&](std::ptrdiff_t number) {
-    const auto row = static_cast<std::size_t>(number);
-    for_each_pack_of_row<Pack>(particles, row, [&](std::size_t slot) { f(slot / fccda::byte_lanes, slot); });
-  });
+  for_each_pack_in_rows<Pack>(particles, [&](std::size_t, std::size_t slot) { f(slot / fccda::byte_lanes, slot); });
 }
 
 /// Energy of a pack [J]: Σ of energy density times volume over its particles.

@@ -102,7 +102,13 @@ void Particles::move_lattice(const std::array<int, 3>& first) {
 }
 
 void Particles::refresh_ghosts() {
-  share_.refresh({position.component(0), position.component(1), position.component(2), velocity.component(0), velocity.component(1), velocity.component(2)});
+  begin_refresh_ghosts();
+  share_.complete_refresh();
+}
+
+void Particles::begin_refresh_ghosts() {
+  share_.begin_refresh(
+      {position.component(0), position.component(1), position.component(2), velocity.component(0), velocity.component(1), velocity.component(2)});
 }
 
 double Particles::total_mass() const {

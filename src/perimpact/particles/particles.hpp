@@ -44,8 +44,9 @@ class Particles {
   std::size_t size_of_body() const { return static_cast<std::size_t>(share_.ranks().sum(static_cast<std::int64_t>(size()))); }
   /// Lattice of the body on all ranks; null for a point cloud.
   const Lattice* whole_lattice() const { return share_.is_whole() ? lattice() : &share_.whole(); }
-  /// Positions and velocities of ghosts become those of their owners.
+  /// Positions and velocities of ghosts become those of their owners; in the second form when the refresh is completed (Share::begin_refresh).
   void refresh_ghosts();
+  void begin_refresh_ghosts();
 
   const Lattice* lattice() const { return lattice_ ? &*lattice_ : nullptr; }  ///< null for a point cloud
   std::size_t slots() const { return slots_; }                                ///< length of the arrays; a multiple of eight
@@ -63,6 +64,8 @@ class Particles {
     std::size_t begin, end;
   };
   Range owned_slots(std::size_t row) const;
+  /// Those of them whose bonds reach no ghost; requires a partial share.
+  Range interior_slots(std::size_t row) const;
 
   double density() const { return density_; }                                                 ///< [kg/m³]
   double spacing() const { return spacing_; }                                                 ///< [m] of the lattice; for a cloud, the mean particle size
@@ -126,6 +129,16 @@ inline Particles::Range Particles::owned_slots(std::size_t row) const {
   while (first < end && owned_eights_[first / 8] == 0) first += 8;
   while (last > first && owned_eights_[last / 8 - 1] == 0) last -= 8;
   return {first, last};
+}
+
+inline Particles::Range Particles::interior_slots(std::size_t row) const {
+  const CellBox box = share_.interior();
+  const std::size_t per_layer = static_cast<std::size_t>(lattice_->cells[1]);
+  const auto j = static_cast<int>(row % per_layer), k = static_cast<int>(row / per_layer);
+  if (j < box.low[1] || j >= box.high[1] || k < box.low[2] || k >= box.high[2]) return {0, 0};
+  const Range owned = owned_slots(row);
+  const std::size_t begin = row * row_slots_ + static_cast<std::size_t>(box.low[0]);
+  return {begin, std::max(begin, box.high[0] == lattice_->cells[0] ? owned.end : row * row_slots_ + static_cast<std::size_t>(box.high[0]))};
 }
 
 /// [m] bounding box of all particles of the body, each with half a spacing around it. Collective.

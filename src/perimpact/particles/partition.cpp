@@ -107,6 +107,9 @@ void bisect(const CellBox& box, int ranks, const PartitionRule& rule, std::vecto
   bisect(upper, ranks - first, rule, boxes);
 }
 
+/// Cells around a box that hold ghosts.
+std::array<int, 3> margins(const PartitionRule& rule) { return {(rule.reach + unit_of(0) - 1) / unit_of(0) * unit_of(0), rule.reach, rule.reach}; }
+
 }  // namespace
 
 std::vector<CellBox> partition(const PartitionRule& rule, int ranks) {
@@ -138,9 +141,18 @@ void RanksInTurn::add(int parts) {
 }
 
 CellBox with_ghosts(const CellBox& box, const PartitionRule& rule) {
-  constexpr int eight = static_cast<int>(fccda::byte_lanes);
   if (box.cells() == 0) return {{0, 0, 0}, {1, 1, 1}};
-  return intersection(box.grown({(rule.reach + eight - 1) / eight * eight, rule.reach, rule.reach}), {{0, 0, 0}, rule.cells});
+  return intersection(box.grown(margins(rule)), {{0, 0, 0}, rule.cells});
+}
+
+CellBox without_rim(const CellBox& own, const std::array<int, 3>& cells, const PartitionRule& rule) {
+  CellBox interior = own;
+  for (std::size_t axis = 0; axis < 3; ++axis) {
+    if (own.low[axis] > 0) interior.low[axis] += margins(rule)[axis];
+    if (own.high[axis] < cells[axis]) interior.high[axis] -= margins(rule)[axis];
+    interior.high[axis] = std::max(interior.low[axis], interior.high[axis]);
+  }
+  return interior;
 }
 
 std::vector<ExchangedCells> exchanged_cells(std::span<const CellBox> boxes, int rank, int reach) {

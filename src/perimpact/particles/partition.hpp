@@ -48,6 +48,9 @@ class RanksInTurn {
 /// The cells of a rank's own lattice: its box, and `reach` cells around it, in x whole eights; one cell of a rank without a part, since no array is empty.
 CellBox with_ghosts(const CellBox& box, const PartitionRule& rule);
 
+/// The cells of a rank's box that no ghost is within `reach` of, in x whole eights. `own`: in a lattice of so many cells, which is with_ghosts() of it.
+CellBox without_rim(const CellBox& own, const std::array<int, 3>& cells, const PartitionRule& rule);
+
 /// Cells that a rank sends to another and receives from it in a refresh of ghosts.
 struct ExchangedCells {
   int rank;  ///< the other

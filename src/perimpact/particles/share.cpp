@@ -33,6 +33,7 @@ Share::Share(Ranks& ranks, const Lattice& whole, int reach, bool keeps_columns, 
   for (const ExchangedCells& cells : exchanged_cells(boxes, ranks.rank(), reach))
     plan.peers.push_back({cells.rank, shifted(cells.send, plan.offset), shifted(cells.receive, plan.offset)});
   plan.boxes = boxes;
+  plan.interior = without_rim(shifted(plan.owned, plan.offset), plan.lattice.cells, rule);
   plan_ = std::make_shared<const Plan>(std::move(plan));
 }
 
@@ -51,6 +52,16 @@ CellBox Share::owned() const {
   return shifted(plan_->owned, plan_->offset);
 }
 
+CellBox Share::interior() const {
+  EXPECTS(plan_);
+  return plan_->interior;
+}
+
+void Share::complete_refresh() const {
+  if (!plan_) return;
+  for (const std::function<void()>& complete : std::exchange(plan_->under_way, {})) complete();
+}
+
 int Share::parts() const {
   EXPECTS(plan_);
   return count_parts(plan_->boxes);
@@ -58,7 +69,9 @@ int Share::parts() const {
 
 void Share::collect_flags(std::uint8_t* flags) const {
   if (!plan_) return;
-  exchange(std::span<std::uint8_t* const>(&flags, 1), &Peer::receive, &Peer::send, [](const std::uint8_t* values, std::size_t count, std::uint8_t* to) {
+  const std::span<std::uint8_t* const> arrays(&flags, 1);
+  auto messages = begin(arrays, &Peer::receive, &Peer::send);
+  complete(*plan_, messages, arrays, &Peer::send, [](const std::uint8_t* values, std::size_t count, std::uint8_t* to) {
     for (std::size_t k = 0; k < count; ++k)
       if (values[k] != 0) to[k] = values[k];
   });

@@ -7,11 +7,13 @@
 
 #include <cstdint>
 #include <cstring>
+#include <functional>
 #include <initializer_list>
 #include <memory>
 #include <optional>
 #include <span>
 #include <type_traits>
+#include <utility>
 #include <vector>
 
 #include "base/pack.hpp"
@@ -42,7 +44,21 @@ class Share {
     refresh(std::span<T* const>(arrays.begin(), arrays.size()));
   }
   template <class T>
-  void refresh(std::span<T* const> arrays) const;
+  void refresh(std::span<T* const> arrays) const {
+    begin_refresh(arrays);
+    complete_refresh();
+  }
+  /// The same while computation goes on: ghosts must not be read before complete_refresh(), nor the arrays be moved. Loops over packs complete it after the
+  /// particles that read no ghosts (force/pass.hpp).
+  template <class T>
+  void begin_refresh(std::initializer_list<T*> arrays) const {
+    begin_refresh(std::span<T* const>(arrays.begin(), arrays.size()));
+  }
+  template <class T>
+  void begin_refresh(std::span<T* const> arrays) const;
+  void complete_refresh() const;
+  bool is_refreshing() const { return plan_ && !plan_->under_way.empty(); }
+  CellBox interior() const;  ///< owned cells that are farther from all ghosts than the reach, in x by whole eights; requires a partial share
 
   /// Sets flags of owned slots that another rank has set for its ghost there. Values other than 0 are flags.
   void collect_flags(std::uint8_t* flags) const;
@@ -60,7 +76,7 @@ class Share {
   void for_each_ghost(const Visit& visit) const {
     if (!plan_) return;
     for (const Peer& peer : plan_->peers)
-      for_each_run(peer.receive, [&](std::size_t slot, std::size_t count) {
+      for_each_run(plan_->lattice, peer.receive, [&](std::size_t slot, std::size_t count) {
         for (std::size_t k = 0; k < count; ++k) visit(slot + k);
       });
   }
@@ -113,22 +129,33 @@ class Share {
     CellBox owned;                // cells of the whole
     std::vector<CellBox> boxes;   // of all ranks, cells of the whole
     std::vector<Peer> peers;
+    CellBox interior;                                      // of the own lattice
+    mutable std::vector<std::function<void()>> under_way;  // complete the refreshes that have begun
+  };
+  /// Numbers on their way between this rank and each peer.
+  template <class T>
+  struct Messages {
+    std::vector<std::vector<T>> sent, received;
+    std::unique_ptr<Ranks::Exchange> exchange;
   };
   /// Of the listed particles of all ranks, one rank after another: their numbers there, in the order of their slots in the whole body. Collective.
   std::vector<std::size_t> order_of(std::span<const std::uint32_t> slots) const;
   /// How many the ranks before this one have, if each calls with its count. Collective.
   std::size_t first_of_own(std::size_t count) const;
-  /// Sends the numbers in one box of each peer, and passes those received for the other to take(values, count, to) by runs of consecutive slots.
+  /// Begins to send the numbers in one box of each peer, and to receive those for the other.
+  template <class T>
+  Messages<T> begin(std::span<T* const> arrays, CellBox Peer::*from, CellBox Peer::*to) const;
+  /// Waits for them, and passes them to take(values, count, to) by runs of consecutive slots.
   template <class T, class Take>
-  void exchange(std::span<T* const> arrays, CellBox Peer::*from, CellBox Peer::*to, const Take& take) const;
+  static void complete(const Plan& plan, Messages<T>& messages, std::span<T* const> arrays, CellBox Peer::*to, const Take& take);
   /// Calls f(first, count) for the numbers of the eights of each row of a box of cells.
   template <class F>
   static void for_each_row_of_eights(const Lattice& lattice, const CellBox& box, std::size_t per_eight, const F& f);
-  /// Calls f(slot, count) for the runs of consecutive slots of a box of cells of the own lattice.
+  /// Calls f(slot, count) for the runs of consecutive slots of a box of cells.
   template <class F>
-  void for_each_run(const CellBox& box, const F& f) const {
+  static void for_each_run(const Lattice& lattice, const CellBox& box, const F& f) {
     for (int k = box.low[2]; k < box.high[2]; ++k)
-      for (int j = box.low[1]; j < box.high[1]; ++j) f(plan_->lattice.slot(box.low[0], j, k), static_cast<std::size_t>(box.size(0)));
+      for (int j = box.low[1]; j < box.high[1]; ++j) f(lattice.slot(box.low[0], j, k), static_cast<std::size_t>(box.size(0)));
   }
 
   Ranks* ranks_;
@@ -210,8 +237,8 @@ void Share::take_listed(std::span<const T> all, std::span<T> own, std::span<cons
       std::copy_n(all.data() + place * per_slot, per_slot, own.data() + (order[place] - before) * per_slot);
 }
 
-template <class T, class Take>
-void Share::exchange(std::span<T* const> arrays, CellBox Peer::*from, CellBox Peer::*to, const Take& take) const {
+template <class T>
+Share::Messages<T> Share::begin(std::span<T* const> arrays, CellBox Peer::*from, CellBox Peer::*to) const {
   std::vector<std::vector<T>> sent(plan_->peers.size()), received(plan_->peers.size());
   std::vector<Ranks::Outgoing> outgoing;
   std::vector<Ranks::Incoming> incoming;
@@ -220,15 +247,21 @@ void Share::exchange(std::span<T* const> arrays, CellBox Peer::*from, CellBox Pe
     sent[p].reserve(arrays.size() * (peer.*from).cells());
     received[p].resize(arrays.size() * (peer.*to).cells());
     for (const T* array : arrays)
-      for_each_run(peer.*from, [&](std::size_t slot, std::size_t count) { sent[p].insert(sent[p].end(), array + slot, array + slot + count); });
+      for_each_run(plan_->lattice, peer.*from, [&](std::size_t slot, std::size_t count) { sent[p].insert(sent[p].end(), array + slot, array + slot + count); });
     outgoing.push_back({peer.rank, std::as_bytes(std::span(sent[p]))});
     incoming.push_back({peer.rank, std::as_writable_bytes(std::span(received[p]))});
   }
-  ranks_->exchange(outgoing, incoming);
-  for (std::size_t p = 0; p < plan_->peers.size(); ++p) {
-    const T* values = received[p].data();
+  auto exchange = ranks_->begin_exchange(outgoing, incoming);
+  return {std::move(sent), std::move(received), std::move(exchange)};
+}
+
+template <class T, class Take>
+void Share::complete(const Plan& plan, Messages<T>& messages, std::span<T* const> arrays, CellBox Peer::*to, const Take& take) {
+  messages.exchange->complete();
+  for (std::size_t p = 0; p < plan.peers.size(); ++p) {
+    const T* values = messages.received[p].data();
     for (T* array : arrays)
-      for_each_run(plan_->peers[p].*to, [&](std::size_t slot, std::size_t count) {
+      for_each_run(plan.lattice, plan.peers[p].*to, [&](std::size_t slot, std::size_t count) {
         take(values, count, array + slot);
         values += count;
       });
@@ -236,8 +269,13 @@ void Share::exchange(std::span<T* const> arrays, CellBox Peer::*from, CellBox Pe
 }
 
 template <class T>
-void Share::refresh(std::span<T* const> arrays) const {
-  if (plan_) exchange(arrays, &Peer::send, &Peer::receive, [](const T* values, std::size_t count, T* to) { std::copy_n(values, count, to); });
+void Share::begin_refresh(std::span<T* const> arrays) const {
+  if (!plan_) return;
+  auto messages = std::make_shared<Messages<T>>(begin(arrays, &Peer::send, &Peer::receive));
+  plan_->under_way.push_back([plan = plan_.get(), messages, refreshed = std::vector<T*>(arrays.begin(), arrays.end())] {
+    const auto copy = [](const T* values, std::size_t count, T* to) { std::copy_n(values, count, to); };
+    complete(*plan, *messages, std::span<T* const>(refreshed), &Peer::receive, copy);
+  });
 }
 
 }  // namespace perimpact

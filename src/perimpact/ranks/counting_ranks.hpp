@@ -16,9 +16,27 @@ class CountingRanks final : public DecoratedRanks<CountingRanks> {
   friend DecoratedRanks;
   template <class Call>
   void around(const Traffic& sent, const Call& call) {
+    traffic_ += sent;
+    timed(call);
+  }
+  template <class Call>
+  std::unique_ptr<Exchange> begin(const Traffic& sent, const Call& call) {
+    struct Timed final : Exchange {
+      Timed(CountingRanks& ranks, std::unique_ptr<Exchange> exchange) : ranks_(ranks), exchange_(std::move(exchange)) {}
+      void complete() override {
+        ranks_.timed([&] { exchange_->complete(); });
+      }
+      CountingRanks& ranks_;
+      std::unique_ptr<Exchange> exchange_;
+    };
+    std::unique_ptr<Exchange> exchange;
+    around(sent, [&] { exchange = call(); });
+    return std::make_unique<Timed>(*this, std::move(exchange));
+  }
+  template <class Call>
+  void timed(const Call& call) {
     const auto begin = std::chrono::steady_clock::now();
     call();
-    traffic_ += sent;
     traffic_.seconds += std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
   }
 

@@ -1,13 +1,15 @@
 /// Ranks that pass every call on to others, for classes that count, time or delay calls.
 #pragma once
 
+#include <memory>
 #include <utility>
 
 #include "perimpact/ranks/ranks.hpp"
 
 namespace perimpact {
 
-/// A derived class defines `around(Traffic sent, call)`, which is to call `call()`. `sent`: what this rank sends in the call.
+/// A derived class defines `around(Traffic sent, call)`, which is to call `call()`. `sent`: what this rank sends in the call. It defines
+/// `begin(Traffic sent, call)`, which returns the exchange that `call()` begins, or one around it.
 template <class Derived>
 class DecoratedRanks : public Ranks {
  public:
@@ -17,10 +19,10 @@ class DecoratedRanks : public Ranks {
   int size() const override { return inner_->size(); }
   using Ranks::max;
   using Ranks::sum;
-  void exchange(std::span<const Outgoing> send, std::span<const Incoming> receive) override {
+  std::unique_ptr<Exchange> begin_exchange(std::span<const Outgoing> send, std::span<const Incoming> receive) override {
     Traffic sent{.messages = static_cast<std::int64_t>(send.size())};
     for (const Outgoing& message : send) sent.bytes += size_of(message.bytes);
-    derived().around(sent, [&] { inner_->exchange(send, receive); });
+    return derived().begin(sent, [&] { return inner_->begin_exchange(send, receive); });
   }
   void sum(std::span<std::int64_t> values) override {
     derived().around(reduction_of(static_cast<std::int64_t>(values.size())), [&] { inner_->sum(values); });

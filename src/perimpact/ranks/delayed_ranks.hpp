@@ -1,4 +1,5 @@
-/// Ranks as on a slow network: every call takes the time of its messages longer. For measurements of what a network costs.
+/// Ranks as on a slow network: every call takes the time of its messages longer, and messages under way arrive that much after they were sent. For
+/// measurements of what a network costs, and of what is hidden behind computation.
 #pragma once
 
 #include <chrono>
@@ -17,9 +18,25 @@ class DelayedRanks final : public DecoratedRanks<DelayedRanks> {
   friend DecoratedRanks;
   template <class Call>
   void around(const Traffic& sent, const Call& call) {
-    std::this_thread::sleep_for(std::chrono::duration<double>(network_.seconds_of(sent, size())));
+    std::this_thread::sleep_for(duration_of(sent));
     call();
   }
+  template <class Call>
+  std::unique_ptr<Exchange> begin(const Traffic& sent, const Call& call) {
+    using Clock = std::chrono::steady_clock;
+    struct Delayed final : Exchange {
+      Delayed(Clock::time_point arrival, std::unique_ptr<Exchange> exchange) : arrival_(arrival), exchange_(std::move(exchange)) {}
+      void complete() override {
+        exchange_->complete();
+        std::this_thread::sleep_until(arrival_);
+      }
+      Clock::time_point arrival_;
+      std::unique_ptr<Exchange> exchange_;
+    };
+    const auto arrival = Clock::now() + std::chrono::duration_cast<Clock::duration>(duration_of(sent));
+    return std::make_unique<Delayed>(arrival, call());
+  }
+  std::chrono::duration<double> duration_of(const Traffic& sent) const { return std::chrono::duration<double>(network_.seconds_of(sent, size())); }
 
   Network network_;
 };

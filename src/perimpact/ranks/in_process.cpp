@@ -3,8 +3,10 @@
 #include <algorithm>
 #include <condition_variable>
 #include <exception>
+#include <map>
 #include <mutex>
 #include <thread>
+#include <utility>
 
 #include "base/error.hpp"
 #include "base/parallel.hpp"
@@ -29,6 +31,25 @@ class Meeting {
     wait();
   }
 
+  /// Copies a message for another rank. Messages between two ranks are numbered at both ends, in the order in which they are sent and expected.
+  void send(int from, int to, std::span<const std::byte> bytes) {
+    const std::lock_guard guard(mutex_);
+    Mail& mail = mail_[{from, to}];
+    mail.messages[mail.sent++].assign(bytes.begin(), bytes.end());
+    all_here_.notify_all();
+  }
+  long expect(int from, int to) {
+    const std::lock_guard guard(mutex_);
+    return mail_[{from, to}].expected++;
+  }
+  Ranks::Bytes receive(int from, int to, long number) {
+    std::unique_lock lock(mutex_);
+    std::map<long, Ranks::Bytes>& messages = mail_[{from, to}].messages;
+    all_here_.wait(lock, [&] { return is_aborted_ || messages.contains(number); });
+    if (!messages.contains(number)) throw_of_others();
+    return std::move(messages.extract(number).mapped());
+  }
+
   void abort() noexcept {
     const std::lock_guard guard(mutex_);
     is_aborted_ = true;
@@ -44,10 +65,16 @@ class Meeting {
     } else {
       all_here_.wait(lock, [this, of = meeting_] { return is_aborted_ || meeting_ != of; });
     }
-    if (is_aborted_) throw fccda::RunError("another rank of the run has failed");
+    if (is_aborted_) throw_of_others();
   }
+  [[noreturn]] static void throw_of_others() { throw fccda::RunError("another rank of the run has failed"); }
 
   std::vector<const void*> entries_;
+  struct Mail {
+    std::map<long, Ranks::Bytes> messages;  // by number
+    long sent = 0, expected = 0;
+  };
+  std::map<std::pair<int, int>, Mail> mail_;  // from and to
   std::mutex mutex_;
   std::condition_variable all_here_;
   int waiting_for_, size_;
@@ -61,15 +88,11 @@ class InProcess final : public Ranks {
   int rank() const override { return rank_; }
   int size() const override { return meeting_.size(); }
 
-  void exchange(std::span<const Outgoing> send, std::span<const Incoming> receive) override {
-    meeting_.meet(rank_, &send, [&](const std::vector<const void*>& entries) {
-      for (const Incoming& message : receive) {
-        const auto& sent = *static_cast<const std::span<const Outgoing>*>(entries[static_cast<std::size_t>(message.from)]);
-        const auto found = std::ranges::find(sent, rank_, &Outgoing::to);
-        if (found == sent.end() || found->bytes.size() != message.bytes.size()) throw fccda::RunError("ranks disagree about the messages between them");
-        std::ranges::copy(found->bytes, message.bytes.begin());
-      }
-    });
+  std::unique_ptr<Exchange> begin_exchange(std::span<const Outgoing> send, std::span<const Incoming> receive) override {
+    for (const Outgoing& message : send) meeting_.send(rank_, message.to, message.bytes);
+    auto messages = std::make_unique<Messages>(meeting_, rank_);
+    for (const Incoming& message : receive) messages->expected.emplace_back(message, meeting_.expect(message.from, rank_));
+    return messages;
   }
   using Ranks::max;
   using Ranks::sum;
@@ -97,6 +120,20 @@ class InProcess final : public Ranks {
   void abort() noexcept override { meeting_.abort(); }
 
  private:
+  struct Messages final : Exchange {
+    Messages(Meeting& of, int to) : meeting(of), rank(to) {}
+    void complete() override {
+      for (const auto& [message, number] : expected) {
+        const Bytes bytes = meeting.receive(message.from, rank, number);
+        if (bytes.size() != message.bytes.size()) throw fccda::RunError("ranks disagree about the messages between them");
+        std::ranges::copy(bytes, message.bytes.begin());
+      }
+    }
+    Meeting& meeting;
+    int rank;
+    std::vector<std::pair<Incoming, long>> expected;
+  };
+
   template <class T, class Combine>
   void combine(std::span<T> values, const Combine& of_two) {
     const std::vector<T> own(values.begin(), values.end());

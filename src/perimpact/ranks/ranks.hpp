@@ -7,6 +7,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <cstring>
+#include <memory>
 #include <span>
 #include <type_traits>
 #include <vector>
@@ -32,8 +33,16 @@ class Ranks {
   virtual int size() const = 0;
   bool is_root() const { return rank() == 0; }  ///< the rank that writes the results
 
-  /// Sends and receives messages, at most one to and one from each other rank; both sides know their lengths.
-  virtual void exchange(std::span<const Outgoing> send, std::span<const Incoming> receive) = 0;
+  /// Messages under way. Their bytes must stay in place until they are complete.
+  class Exchange {
+   public:
+    virtual ~Exchange() = default;
+    virtual void complete() = 0;  ///< returns when all have been received and sent; to be called once
+  };
+  /// Begins to send and receive messages, at most one to and one from each other rank; both sides know their lengths. Other calls may follow before it is
+  /// complete.
+  virtual std::unique_ptr<Exchange> begin_exchange(std::span<const Outgoing> send, std::span<const Incoming> receive) = 0;
+  void exchange(std::span<const Outgoing> send, std::span<const Incoming> receive) { begin_exchange(send, receive)->complete(); }
   /// Replaces each value by its sum over all ranks; integers wrap.
   virtual void sum(std::span<std::int64_t> values) = 0;
   /// Replaces each value by the largest on any rank.
@@ -90,7 +99,12 @@ class Alone final : public Ranks {
  public:
   int rank() const override { return 0; }
   int size() const override { return 1; }
-  void exchange(std::span<const Outgoing>, std::span<const Incoming>) override {}
+  std::unique_ptr<Exchange> begin_exchange(std::span<const Outgoing>, std::span<const Incoming>) override {
+    struct Nothing final : Exchange {
+      void complete() override {}
+    };
+    return std::make_unique<Nothing>();
+  }
   using Ranks::max;
   using Ranks::sum;
   void sum(std::span<std::int64_t>) override {}

@@ -206,7 +206,7 @@ Simulation::Simulation(const Setup& setup, Start start, std::vector<UserForceOnB
   if (!relaxation_) {
     for (std::size_t b = 0; b < bodies_.size(); ++b) boundary_conditions_[b].set_initial_state(bodies_[b].particles, 0, PrescribedDisplacement::Regime::moving);
     stages_.begin("initial forces");
-    refresh_ghosts();
+    begin_refresh_ghosts();
     compute_bond_forces();
     add_short_range_forces();
     apply_boundary_conditions();
@@ -232,7 +232,7 @@ void Simulation::perform_step(const KeepRelaxing& keep_on) {
     resolve_impactor_contact();
     end_load_interval();
   });
-  if (ranks_->size() > 1) timers_.timed("ghosts", [&] { refresh_ghosts(); });
+  if (ranks_->size() > 1) timers_.timed("ghosts", [&] { begin_refresh_ghosts(); });
   time_forces("forces", [&] { compute_bond_forces(); });
   if (fragments_) time_forces("fragments", [&] { add_short_range_forces(); });
   timers_.timed("boundary_conditions", [&] { apply_boundary_conditions(); });
@@ -335,8 +335,8 @@ std::vector<std::size_t> Simulation::resolve_body(std::size_t body, ContactParti
   return unresolved;
 }
 
-void Simulation::refresh_ghosts() {
-  for (Body& body : bodies_) body.particles.refresh_ghosts();
+void Simulation::begin_refresh_ghosts() {
+  for (Body& body : bodies_) body.particles.begin_refresh_ghosts();
 }
 
 void Simulation::compute_bond_forces() {
@@ -347,6 +347,7 @@ void Simulation::compute_bond_forces() {
       monitors_.elastic_energy()[b] = body.internal.evaluate_with_energy(body.particles, body.family, dt);
     else
       body.internal.evaluate(body.particles, body.family, dt);
+    body.particles.share().complete_refresh();  // if no loop over packs has done so
   }
 }
 

@@ -138,7 +138,7 @@ class Simulation {
   void advance_bodies();
   void resolve_impactor_contact();
   std::vector<std::size_t> resolve_body(std::size_t body, ContactParticles& particles);  // number of unresolved penetrations per impactor
-  void refresh_ghosts();
+  void begin_refresh_ghosts();
   void compute_bond_forces();
   void add_short_range_forces();
   void apply_boundary_conditions();

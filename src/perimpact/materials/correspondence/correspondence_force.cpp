@@ -152,9 +152,9 @@ void CorrespondenceForce<D>::bond_level_pass(const View& body, Particles& partic
     bond_level_stress<D, Pack>(body, slot);
     if (options.with_energy) sums.energy[eight] += energy_of_pack(bond_level_energy<D, Pack, false>(body, slot, 0), particles, slot);
   });
-  share.refresh(std::span<double* const>(body.carried));
+  share.begin_refresh(std::span<double* const>(body.carried));
   for_each_pack<Pack>(particles, [&](std::size_t, std::size_t slot) { bond_level_return<D, Pack>(body, slot); });
-  share.refresh(std::span<double* const>(body.response));
+  share.begin_refresh(std::span<double* const>(body.response));
   for_each_pack<Pack>(particles, [&](std::size_t, std::size_t slot) { force_of_pack<D, Pack>(body, slot, particles.force_density); });
 }
 
@@ -168,7 +168,7 @@ void CorrespondenceForce<D>::pass(Particles& particles, Family& family, const Pa
           response_of_pack<D, Pack>(body, slot, breaker, known_.data() + family.begin(slot / byte_lanes), options, sums.fracture_energy[eight]);
       return options.with_energy ? energy_of_pack(density, particles, slot) : 0.0;
     });
-    particles.share().refresh(std::span<double* const>(body.response));
+    particles.share().begin_refresh(std::span<double* const>(body.response));
     for_each_pack<Pack>(particles, [&](std::size_t, std::size_t slot) { force_of_pack<D, Pack>(body, slot, particles.force_density); });
   });
 }

@@ -168,7 +168,7 @@ void all_packs(const View& body, Breaking& breaking, Family& family, const PassO
       });
       return 0.0;
     });
-    body.particles.share().refresh({body.theta});
+    body.particles.share().begin_refresh({body.theta});
     forces.may_break = false;  // bonds have broken in the dilatation pass
   }
   breaking.for_each_pack<Pack>(body.bonds, body.particles, family, forces, body.sums, [&](std::size_t eight, std::size_t slot, const auto& breaker) {

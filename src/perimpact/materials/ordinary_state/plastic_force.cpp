@@ -122,7 +122,7 @@ void PlasticForce::evaluate(Packs which, Particles& particles, Family& family, c
           });
         });
       });
-    if constexpr (with_theta) particles.share().refresh({theta_.component(0)});
+    if constexpr (with_theta) particles.share().begin_refresh({theta_.component(0)});
     if (options.with_energy) std::fill(sums.energy.begin(), sums.energy.end(), 0.0);
     std::array<double*, 6> stress;
     for (std::size_t c = 0; c < 6; ++c) stress[c] = stress_.component(c);
