@@ -32,6 +32,8 @@ struct StepOfRanks {
   double seconds() const { return computing + messaging; }
 };
 
+bool has_fragments(const Setup& setup) { return setup.contact.fragments.law.as<FragmentLaw>() != FragmentLaw::none; }
+
 double mean_cells(const RankForecast& ranks, std::size_t body) { return ranks.cells[body] / static_cast<double>(ranks.sent.size()); }
 
 std::string milliseconds(double seconds) { return fmt::format("{:.3g} ms", 1e3 * seconds); }
@@ -52,6 +54,7 @@ std::string ranks_text(const Setup& setup, const RankForecast& ranks, const Memo
   const StepOfRanks of(setup, ranks, network);
   text += "step of a rank\n" + row("messages", fmt::format("{}, at most {} bytes; {} reductions of {} bytes in all; collections of contacts: {}",
                                                            of.sent.messages, of.sent.bytes, of.sent.reductions, of.sent.reduced_bytes, of.sent.collections));
+  if (has_fragments(setup)) text += row("fragments", "contact between them adds messages and reductions, which are not forecast");
   if (of.computing > 0)
     text += row("duration",
                 fmt::format("about {}: {} of computing on {} threads, {} of messages (latency {:.3g} s, bandwidth {:.3g} byte/s)", milliseconds(of.seconds()),
@@ -79,6 +82,7 @@ Json ranks_json(const Setup& setup, const RankForecast& ranks, const Memory& mem
   json["reductions"] = of.sent.reductions;
   json["reduced [byte]"] = of.sent.reduced_bytes;
   json["collections"] = of.sent.collections;
+  json["includes_fragments"] = !has_fragments(setup);
   json["latency [s]"] = network.latency;
   json["bandwidth [byte/s]"] = network.bandwidth;
   json["computing [s]"] = of.computing;

@@ -202,6 +202,10 @@ def _(t):
     slow = json.loads(t.expect_success("check", deck, "--ranks", "2", "--json", "--latency", "1e-3", "--bandwidth", "1e6").out)["ranks"]
     t.assertAlmostEqual(slow["step [s]"] - slow["computing [s]"], 6 * 1e-3 + (13440 + 24) / 1e6, delta=1e-9)
     t.assertFalse((t.folder / "results").exists())
+    t.assertIs(ranks["includes_fragments"], True)
+    fragments = t.deck(("contact:\n", "contact:\n  fragments: {law: repulsive}\n"), ("density: 8000 kg/m3", "density: 8000 kg/m3, critical_stretch: 0.002"))
+    t.assertIn("\n  fragments         contact between them adds messages and reductions, which are not forecast\n", t.expect_success("check", fragments, "--ranks", "2").out)
+    t.assertIs(json.loads(t.expect_success("check", fragments, "--ranks", "2", "--json").out)["ranks"]["includes_fragments"], False)
 
 
 @claim("check: more ranks than blocks of cells, and bodies whose shares are not forecast, are refused with one sentence")

@@ -2,6 +2,7 @@
 
 import json
 import os
+import resource
 import shutil
 import signal
 import subprocess
@@ -241,6 +242,35 @@ def _(t):
     t.assertEqual(contents(t, "2"), contents(t, "1"))
     t.assertEqual(t.report("2")["state_hash"], t.report("1")["state_hash"])
     t.assertEqual(t.report("2")["ranks"], 2)
+
+
+LARGE = """\
+title: A bar
+time: {end: 1 us, step: 0.5 us}
+output: {frames: 0, folder: r, checkpoint_interval: 0}
+bodies:
+  bar:
+    shape: {box: {size: [12.8, 0.24, 0.24]}}
+    spacing: 0.01
+    horizon_ratio: 2
+    material: {model: correspondence, youngs_modulus: 1 GPa, poissons_ratio: 0.3, density: 1000}
+"""
+
+
+@claim("ranks: with a third of the memory that one process needs, a body of 737 280 particles is refused on one and runs on four")
+def _(t):
+    launched(t, 4)
+    (t.folder / "large.yaml").write_text(LARGE)
+    needed = json.loads(t.expect_success("check", "large.yaml", "--ranks", "1", "--json").out)["ranks"]["memory"]["peak [byte]"]
+    limits = {resource.RLIMIT_DATA: int(needed / 3)}
+    refused = t.run_program("run", "large.yaml", "--out", "one", "--threads", "1", limits=limits)
+    t.assertEqual(refused.code, 2, refused)
+    t.assertRegex(refused.err, rf"^error: large.yaml:7:14: with a spacing of 0.01 m for body bar the run needs {needed / 1e9:.3g} GB of memory, but ulimit -d allows ")
+    four = launched(t, 4, "--mca mpi_yield_when_idle 1")
+    done = with_program(t, four, lambda: t.run_program("run", "large.yaml", "--out", "four", "--threads", "1", "--no-report", limits=limits))
+    t.assertEqual(done.code, 0, done)
+    t.assertEqual(t.report("four")["outcome"], "finished")
+    t.assertEqual(t.report("four")["bodies"]["bar"]["particles"], 737280)
 
 
 main()

@@ -4,8 +4,10 @@
 
 #include <map>
 #include <mutex>
+#include <sstream>
 #include <string>
 
+#include "fixtures/temporary_folder.hpp"
 #include "fixtures/tolerance.hpp"
 #include "perimpact/bodies.hpp"
 #include "perimpact/particles/share.hpp"
@@ -156,7 +158,9 @@ TEST_CASE("rank forecast: messages, bytes and reductions of a step are exactly t
   }
 }
 
-TEST_CASE("rank forecast: messages, bytes and reductions of a step are exactly those that every rank sends, for two bodies and one or two impactors") {
+TEST_CASE(
+    "rank forecast: messages, bytes and reductions of a step are exactly those that every rank sends, for two bodies and one or two impactors, rigid or "
+    "elastic") {
   Setup setup = at_rest(plate({.poissons_ratio = 0.3}));
   BodySetup second = plate({.model = fixtures::Model::bond_based});
   second.name = "second", second.position = {0, 0.1, 0};
@@ -164,6 +168,16 @@ TEST_CASE("rank forecast: messages, bytes and reductions of a step are exactly t
   setup.impactors = {ball("one", {0, 0, 0.1})};
   check_steps(setup);
   setup.impactors.push_back(ball("two", {0, 0, -0.1}));
+  check_steps(setup);
+  const ::fixtures::TemporaryFolder folder;
+  std::ostringstream modes;
+  modes.precision(17);
+  modes << "frequency [Hz], 20000\nx [m], y [m], z [m], mode_1_x, mode_1_y, mode_1_z\n";
+  const ImpactorSurface sphere = surface_of(setup.impactors[1]);
+  for (const Vec3d& X : sphere.remeshed.surface.panels().vertices)
+    modes << X.x << ',' << X.y << ',' << X.z << ',' << 400 * X.x << ',' << -400 * X.y << ",0\n";
+  fixtures::put(folder / "modes.csv", modes.str());
+  setup.impactors[1].elastic = ElasticImpactorSetup{.modes = (folder / "modes.csv").string()};
   check_steps(setup);
 }
 
