@@ -54,6 +54,8 @@ struct Body {
 /// than can be indexed.
 Particles make_particles(const BodySetup& setup, const Discretisation& discretisation, Ranks& ranks = alone());
 inline Particles make_particles(const BodySetup& setup) { return make_particles(setup, discretise(setup)); }
+/// The same of a solid on a lattice of which this rank has that share.
+Particles make_particles(const BodySetup& setup, Share share);
 
 /// True if ranks must not divide its lattice across z: the water under a floating body acts on columns of it.
 bool keeps_columns(const BodySetup& setup);

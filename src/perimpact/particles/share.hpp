@@ -86,6 +86,12 @@ class Share {
   /// Sets the numbers of the listed particles of this rank from those of all. Collective.
   template <class T>
   void take_listed(std::span<const T> all, std::span<T> own, std::span<const std::uint32_t> slots) const;
+  /// Sets the numbers of the owned eights to those, `from`, of the eights `by` cells further on, which other ranks may own; they stay as they are where these
+  /// are outside the body. `lattice`: of this rank; `by` is a multiple of eight along x. Collective.
+  template <class T>
+  void shift(const Lattice& lattice, std::span<const T> from, std::span<T> own, std::size_t per_eight, const std::array<int, 3>& by) const;
+  /// The same share of a lattice that begins at another cell (Lattice::first).
+  Share at(const std::array<int, 3>& first) const;
   /// The slot of this rank's lattice, or nothing if another rank owns it.
   std::optional<std::size_t> owned_slot(std::size_t whole_slot) const;
   /// Calls f(first, first in the whole body, count) for runs of the numbers of owned eights.
@@ -109,6 +115,8 @@ class Share {
     std::vector<CellBox> boxes;   // of all ranks, cells of the whole
     std::vector<Peer> peers;
   };
+  /// What this rank sends to each in a shift, and where what it receives belongs; with itself.
+  std::vector<Peer> peers_of_shift(const Lattice& lattice, const std::array<int, 3>& by) const;
   /// Of the listed particles of all ranks, one rank after another: their numbers there, in the order of their slots in the whole body. Collective.
   std::vector<std::size_t> order_of(std::span<const std::uint32_t> slots) const;
   /// How many the ranks before this one have, if each calls with its count. Collective.
@@ -177,6 +185,35 @@ void Share::take(std::span<const T> whole, std::span<T> own, std::size_t per_eig
     const std::size_t slot = first / per_eight * fccda::byte_lanes;
     std::copy_n(whole.data() + whole_slot(slot) / fccda::byte_lanes * per_eight, count, own.data() + first);
   });
+}
+
+template <class T>
+void Share::shift(const Lattice& lattice, std::span<const T> from, std::span<T> own, std::size_t per_eight, const std::array<int, 3>& by) const {
+  const std::vector<Peer> peers = peers_of_shift(lattice, by);
+  std::vector<std::vector<T>> sent(peers.size()), received(peers.size());
+  std::vector<Ranks::Outgoing> outgoing;
+  std::vector<Ranks::Incoming> incoming;
+  for (std::size_t p = 0; p < peers.size(); ++p) {
+    const Peer& peer = peers[p];
+    for_each_row_of_eights(lattice, peer.send, per_eight, [&](std::size_t first, std::size_t count) {
+      sent[p].insert(sent[p].end(), from.begin() + static_cast<std::ptrdiff_t>(first), from.begin() + static_cast<std::ptrdiff_t>(first + count));
+    });
+    received[p].resize(peer.receive.cells() / fccda::byte_lanes * per_eight);
+    if (peer.rank == ranks_->rank()) {
+      received[p].swap(sent[p]);
+      continue;
+    }
+    outgoing.push_back({peer.rank, std::as_bytes(std::span(sent[p]))});
+    incoming.push_back({peer.rank, std::as_writable_bytes(std::span(received[p]))});
+  }
+  ranks_->exchange(outgoing, incoming);
+  for (std::size_t p = 0; p < peers.size(); ++p) {
+    auto values = received[p].begin();
+    for_each_row_of_eights(lattice, peers[p].receive, per_eight, [&](std::size_t first, std::size_t count) {
+      std::copy_n(values, count, own.begin() + static_cast<std::ptrdiff_t>(first));
+      values += static_cast<std::ptrdiff_t>(count);
+    });
+  }
 }
 
 template <class T>
