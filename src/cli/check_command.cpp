@@ -108,8 +108,8 @@ int check_command(const CheckArguments& arguments) {
     const std::filesystem::path folder = results_folder(arguments, deck.setup) / "check";
     return with_places(deck, {folder}, [&] {
       std::vector<Discretisation> bodies = discretised(deck.setup);
-      if (is_large(deck.setup, bodies)) {
-        const LargeCheck large(deck.setup, bodies);
+      if (arguments.ranks > 0 || is_large(deck.setup, bodies)) {
+        const LargeCheck large(deck.setup, bodies, arguments.ranks, arguments.network);
         if (arguments.json)
           print_json(deck, messages, large.json(), folder);
         else

@@ -68,7 +68,23 @@ Command run_of(RunArguments& arguments) {
 Command check_of(CheckArguments& arguments) {
   return {.name = "check",
           .help = "Check a deck, summarise the set-up, and write surfaces and contact bounds as VTP",
-          .options = deck_options(arguments) + Options{{.name = "--json", .help = "Print the summary as one JSON object", .target = &arguments.json}},
+          .options = deck_options(arguments) +
+                     Options{{.name = "--json", .help = "Print the summary as one JSON object", .target = &arguments.json},
+                             {.name = "--ranks",
+                              .value = "N",
+                              .help = "Forecast a run of so many processes, without building the bodies: shares, memory, messages, duration of a step",
+                              .target = &arguments.ranks,
+                              .range = {{1, 1000000}}},
+                             {.name = "--latency",
+                              .value = "SECONDS",
+                              .help = "With --ranks: time of a message without content; 2e-6 by default",
+                              .target = &arguments.network.latency,
+                              .range = {{0, 1}}},
+                             {.name = "--bandwidth",
+                              .value = "BYTES",
+                              .help = "With --ranks: bytes that a rank sends in a second; 1e10 by default",
+                              .target = &arguments.network.bandwidth,
+                              .range = {{1, 1e15}}}},
           .run = [&arguments] { return check_command(arguments); }};
 }
 

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "cli/messages.hpp"
+#include "perimpact/ranks/network.hpp"
 
 namespace perimpact {
 
@@ -30,6 +31,8 @@ struct RunArguments : DeckArguments {
 
 struct CheckArguments : DeckArguments {
   bool json = false;
+  int ranks = 0;    ///< of the run that is forecast; 0: one process
+  Network network;  ///< between these
 };
 
 int run_command(const RunArguments& arguments);

@@ -10,19 +10,30 @@
 #include "cli/contact_bounds_text.hpp"
 #include "cli/memory_text.hpp"
 #include "cli/progress.hpp"
+#include "cli/ranks_text.hpp"
 #include "cli/remesh_text.hpp"
 #include "cli/row.hpp"
 #include "cli/surface_text.hpp"
+#include "perimpact/deck_model/setup_error.hpp"
 #include "perimpact/family/stencil.hpp"
 #include "perimpact/impactor/impactor.hpp"
 #include "perimpact/simulation/forecast.hpp"
 #include "perimpact/simulation/memory.hpp"
+#include "perimpact/simulation/ranks_support.hpp"
 
 namespace perimpact {
 
 using output::Json;
 
 namespace {
+
+void expect_divisible(const Setup& setup, const std::vector<Discretisation>& bodies, int ranks) {
+  if (ranks == 0) return;
+  for (std::size_t b = 0; b < bodies.size(); ++b)
+    if (std::holds_alternative<Cloud>(bodies[b]))
+      throw SetupError("bodies." + setup.bodies[b].name + ".shape", "the shares of ranks in a body from a file of particles are not forecast; omit --ranks.");
+  expect_supported_by(ranks, setup);
+}
 
 /// A body by its lattice alone.
 struct CountedBody {
@@ -68,8 +79,8 @@ bool is_large(const Setup& setup, const std::vector<Discretisation>& bodies) {
   return slots > most;
 }
 
-LargeCheck::LargeCheck(const Setup& setup, const std::vector<Discretisation>& bodies)
-    : setup_(setup), bodies_(bodies), memory_(memory_of(setup, bodies)), json_(Json::object()) {
+LargeCheck::LargeCheck(const Setup& setup, const std::vector<Discretisation>& bodies, int ranks, const Network& network)
+    : setup_(setup), bodies_(bodies), ranks_(ranks), memory_((expect_divisible(setup, bodies, ranks), memory_of(setup, bodies))), json_(Json::object()) {
   json_["is_estimate"] = true;
   for (std::size_t b = 0; b < bodies.size(); ++b) {
     const CountedBody body(setup.bodies[b], std::get<BodySolid>(bodies[b]), memory_.particles[b]);
@@ -83,27 +94,36 @@ LargeCheck::LargeCheck(const Setup& setup, const std::vector<Discretisation>& bo
     json_["impactors"][alone.name()]["panels"] = alone.surface().report().panels;
   }
   Json& time = json_["time"];
+  std::optional<Forecast> forecast;
   if (const auto& relax = setup.time.relax) {
     const double increment = setup.time.end / relax->increments;
     text_ += "time\n" + row("increments", fmt::format("{} of {:.4g} s", relax->increments, increment));
     time["increments"] = relax->increments;
     time["increment [s]"] = increment;
   } else {
-    const Forecast forecast = forecast_of(setup, std::accumulate(memory_.particles.begin(), memory_.particles.end(), 0.0));
-    text_ += "time\n" + row("step", fmt::format("about {:.4g} s, {:.3g} steps: of a block of the same material", forecast.step, forecast.steps)) +
+    forecast = forecast_of(setup, std::accumulate(memory_.particles.begin(), memory_.particles.end(), 0.0));
+    text_ += "time\n" + row("step", fmt::format("about {:.4g} s, {:.3g} steps: of a block of the same material", forecast->step, forecast->steps)) +
              fmt::format("duration\n  about {} on {} threads, {} of them for the set-up, without impactors and output frames (from steps of the block)\n",
-                         duration_in_words(forecast.set_up + forecast.running), fccda::thread_count(), duration_in_words(forecast.set_up));
-    time["step [s]"] = forecast.step;
-    time["steps"] = forecast.steps;
-    json_["duration [s]"] = forecast.set_up + forecast.running;
+                         duration_in_words(forecast->set_up + forecast->running), fccda::thread_count(), duration_in_words(forecast->set_up));
+    time["step [s]"] = forecast->step;
+    time["steps"] = forecast->steps;
+    json_["duration [s]"] = forecast->set_up + forecast->running;
+  }
+  if (ranks > 0) {
+    const RankForecast shared = rank_forecast_of(setup, bodies, ranks, forecast ? forecast->running / forecast->steps : 0, network);
+    text_ += ranks_text(setup, shared, memory_, forecast, network);
+    json_["ranks"] = ranks_json(setup, shared, memory_, forecast, network);
+  } else {
+    text_ += memory_text(memory_);
+    json_["memory"] = memory_json(memory_);
   }
   text_ +=
-      memory_text(memory_) +
       "The bodies are not built: particles are counted, and time and duration are estimates. Contact, probes and warnings are examined when the run begins, "
       "or with a larger spacing.\n";
-  json_["memory"] = memory_json(memory_);
 }
 
-void LargeCheck::expect_to_fit() const { perimpact::expect_to_fit(setup_, bodies_, memory_, available_memory()); }
+void LargeCheck::expect_to_fit() const {
+  if (ranks_ == 0) perimpact::expect_to_fit(setup_, bodies_, memory_, available_memory());
+}
 
 }  // namespace perimpact

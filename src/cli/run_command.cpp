@@ -13,6 +13,7 @@
 #include "cli/report_command.hpp"
 #include "cli/setup_text.hpp"
 #include "io/output/results_folder.hpp"
+#include "perimpact/simulation/ranks_report.hpp"
 #include "run/launch.hpp"
 #include "run/run_folder.hpp"
 #include "run/run_loop.hpp"
@@ -32,6 +33,16 @@ std::string timers_text(const Simulation& simulation) {
   std::string text = fmt::format("\n{:<20}{:>10}{:>9}\n", "where", "seconds", "share") + timer("set-up", set_up);
   for (const auto& row : simulation.timers().rows()) text += timer(row.name, row.seconds);
   return text;
+}
+
+/// What the ranks have sent, and how evenly they have computed. Empty for one. Collective.
+std::string ranks_text(const Simulation& simulation) {
+  if (simulation.ranks().size() == 1) return "";
+  const RanksReport report = report_of_ranks(simulation);
+  return fmt::format(
+      "\n{} ranks: the slowest took {:.2f} times the mean time in the phases of force; {:.3g} MB sent in {} messages, {} reductions, {:.2f} s of waiting\n",
+      simulation.ranks().size(), report.imbalance(), static_cast<double>(report.all.bytes) / 1e6, report.all.messages, simulation.traffic_of_steps().reductions,
+      report.all.seconds);
 }
 
 /// "4 threads", or "2 ranks with 4 threads each".
@@ -100,7 +111,7 @@ void print_start(const Simulation& simulation, const RunFolder& folder, Messages
 /// The end of a run that is finished, or ended by a signal.
 void print_end(const Simulation& simulation, const RunFolder& folder, int signal, Messages& messages) {
   const Clock& clock = simulation.clock();
-  messages.print(timers_text(simulation));
+  messages.print(timers_text(simulation) + ranks_text(simulation));
   for (const std::string& warning : simulation.closing_warnings()) messages.warn(warning);
   const std::filesystem::path& path = folder.path();
   Json members = Json::object();

@@ -22,6 +22,7 @@
 
 #include "base/error.hpp"
 #include "base/parallel.hpp"
+#include "perimpact/ranks/counting_ranks.hpp"
 #include "perimpact/ranks/processes.hpp"
 
 namespace perimpact {
@@ -34,6 +35,7 @@ constexpr const char* library_name = "libperimpact_ranks.so";
 constexpr double time_of_root = 2;  // [s] for the root to report the error of all
 
 std::unique_ptr<Processes> processes;
+std::optional<CountingRanks> counting;  // of these
 
 std::optional<int> number_in_environment(const char* name) {
   const char* const text = std::getenv(name);
@@ -88,11 +90,12 @@ std::unique_ptr<Processes> connect(int size) {
 }  // namespace
 
 Ranks& launched_ranks(int expected) {
-  if (processes) return *processes;
+  if (processes) return *counting;
   const int size = expected > 0 ? expected : launched().size;
   if (size == 1) return alone();
   processes = connect(size);
-  if (processes->size() == size) return *processes;
+  counting.emplace(*processes);
+  if (processes->size() == size) return *counting;
   const int connected = processes->size();
   close_ranks();
   throw fccda::InputError(
@@ -118,7 +121,10 @@ int threads_of_rank(Ranks& ranks) {
   return std::clamp(CPU_COUNT(&all) / here, 1, std::max(1, CPU_COUNT(&own.processors)));
 }
 
-void close_ranks() { processes.reset(); }
+void close_ranks() {
+  counting.reset();
+  processes.reset();
+}
 
 void end_failed(int exit_code, const std::function<void()>& print) {
   const bool is_root = processes ? processes->is_root() : launched().rank == 0;

@@ -52,6 +52,13 @@ void RunLoop::run(const Watch& watch) {
   results_.reset();
 }
 
+Traffic RunLoop::collectives_in_step(const OutputSetup& setup) {
+  Traffic traffic;
+  const int questions = setup.checkpoint_interval > 0 ? 3 : 2;  // SIGUSR1, pause, checkpoint
+  for (int k = 0; k < questions; ++k) traffic += reduction_of(1);
+  return traffic;
+}
+
 void RunLoop::step(const Watch& watch) {
   const long before = simulation_.clock().step;
   try {

@@ -42,6 +42,9 @@ class RunLoop {
 
   double seconds() const;  ///< wall-clock time in run() so far
 
+  /// What each rank sends for a step, beside what Simulation::step() sends, where nothing is written.
+  static Traffic collectives_in_step(const OutputSetup& setup);
+
  private:
   void step(const Watch& watch);
   template <class Write>

@@ -1,6 +1,9 @@
 """perimpact check: what would run, before it runs."""
 
+import json
+import os
 import re
+import time
 import xml.etree.ElementTree as xml
 
 from claims import claim, main
@@ -179,6 +182,57 @@ def _(t):
         deck = t.deck(change)
         checked, run = (t.run_program(command, deck, "--out", "r") for command in ("check", "run"))
         t.assertEqual((checked.code, checked.err), (run.code, run.err))
+
+
+
+@claim("check: --ranks states the shares, ghosts, memory and messages of ranks and the duration of a step, in text as in JSON")
+def _(t):
+    deck = t.deck(("poissons_ratio: 0.25", "poissons_ratio: 0.3"))  # 20 x 12 x 4 cells
+    out = t.expect_success("check", deck, "--ranks", "2").out
+    ranks = json.loads(t.expect_success("check", deck, "--ranks", "2", "--json").out)["ranks"]
+    body = ranks["bodies"]["plate"]
+    t.assertEqual((ranks["count"], body["mean_cells"], body["largest_cells"], body["largest_neighbours"]), (2, 480, 480, 1))
+    t.assertEqual(body["largest_ghosts"], 3 * 20 * 4)  # a layer of three cells along the cut across y
+    t.assertIn("\n  plate             at most 480 cells on a rank, 1.000 times the mean of 480; ghosts: at most 240; neighbours: at most 1\n", out)
+    t.assertEqual((ranks["messages"], ranks["sent [byte]"]), (2, 240 * (48 + 8)))  # positions and velocities, then dilatations
+    t.assertEqual((ranks["reductions"], ranks["reduced [byte]"], ranks["collections"]), (3, 24, 1))
+    t.assertIn("\n  messages          2, at most 13440 bytes; 3 reductions of 24 bytes in all; collections of contacts: 1\n", out)
+    t.assertRegex(out, r"\n  duration          about [\d.e-]+ ms: [\d.e-]+ ms of computing on \d+ threads, [\d.e-]+ ms of messages \(latency 2e-06 s, bandwidth 1e\+10 byte/s\)\n")
+    t.assertAlmostEqual(ranks["step [s]"] - ranks["computing [s]"], 6 * 2e-6 + (13440 + 24) / 1e10, delta=1e-12)
+    slow = json.loads(t.expect_success("check", deck, "--ranks", "2", "--json", "--latency", "1e-3", "--bandwidth", "1e6").out)["ranks"]
+    t.assertAlmostEqual(slow["step [s]"] - slow["computing [s]"], 6 * 1e-3 + (13440 + 24) / 1e6, delta=1e-9)
+    t.assertFalse((t.folder / "results").exists())
+
+
+@claim("check: more ranks than blocks of cells, and bodies whose shares are not forecast, are refused with one sentence")
+def _(t):
+    done = t.run_program("check", t.deck(), "--ranks", "1000")
+    sentence = "1000 ranks are too many: the bodies can be divided among at most 144, since lattices are cut across x at multiples of eight cells only. Use fewer."
+    t.assertEqual((done.code, done.err), (2, f"error: deck.yaml:3:1: {sentence}\n"))
+    (t.folder / "points.csv").write_text("x [m],y [m],z [m],volume [m3]\n" + "".join(f"{0.005 * k},0,0,1.25e-7\n" for k in range(20)))
+    cloud = t.deck(("shape: {box: {size: [100 mm, 60 mm, 20 mm]}}\n    spacing: 5 mm", "shape: {points: {file: points.csv}}"))
+    done = t.run_program("check", cloud, "--ranks", "2")
+    t.assertEqual(done.code, 2)
+    t.assertRegex(done.err, r"^error: deck.yaml:5:\d+: the shares of ranks in a body from a file of particles are not forecast; omit --ranks\.\n$")
+
+
+@claim("check: of a hundred million particles on ten thousand ranks the shares are stated within 10 s, without building the body")
+def _(t):
+    deck = t.deck(("[100 mm, 60 mm, 20 mm]", "[2.32, 2.32, 2.32]"), ("[0, 50 mm, 0]", "[0, 2, 0]"))
+    begin = time.monotonic()
+    with t.start("check", deck, "--ranks", "10000", "--threads", "2", "--json") as process:
+        said = process.stdout.read()
+        _, status, usage = os.wait4(process.pid, 0)
+        process.returncode = os.waitstatus_to_exitcode(status)
+    t.assertEqual(process.returncode, 0)
+    ranks = json.loads(said)["ranks"]
+    body = ranks["bodies"]["plate"]
+    t.assertEqual((ranks["count"], body["mean_cells"]), (10000, 464**3 / 10000))
+    t.assertLess(body["largest_cells"] / body["mean_cells"], 1.12)
+    t.assertLessEqual(body["largest_neighbours"], 26)
+    t.assertLess(usage.ru_utime + usage.ru_stime, 2 * 10)  # of two threads: the machine may be busy
+    t.assertLess(time.monotonic() - begin, 60)
+    t.assertLess(1024 * usage.ru_maxrss, 200e6)
 
 
 main()

@@ -1,5 +1,6 @@
 """Runs of several processes under mpirun. Claims that need the library of ranks are skipped where it was not built."""
 
+import json
 import os
 import shutil
 import signal
@@ -212,6 +213,46 @@ def _(t):
     for ranks in 1, 2, 4:
         done = with_program(t, script(t, "calls", f"exec mpirun --oversubscribe -n {ranks} {program}"), t.run_program)
         t.assertEqual((done.code, done.out), (0, f"{ranks} ranks\n"), done)
+
+
+
+@claim("ranks: the steps of a run send exactly the messages and bytes that check --ranks states, and its end states them with the imbalance")
+def _(t):
+    three = launched(t, 3)
+    for material in "poissons_ratio: 0.25", "poissons_ratio: 0.3":
+        deck = t.deck(*SHORT, ("poissons_ratio: 0.25", material))
+        told = json.loads(t.expect_success("check", deck, "--ranks", "3", "--json").out)["ranks"]
+        done = with_program(t, three, lambda: t.run_program("run", deck, "--out", "r", "--force", "--threads", "1", "--no-report"))
+        t.assertEqual(done.code, 0, done)
+        sent = t.report("r")["communication"]
+        exchanges = 1 if material.endswith("0.25") else 2  # of positions and velocities; of the dilatation
+        t.assertEqual(told["bodies"]["plate"]["largest_neighbours"], 2)
+        t.assertEqual(told["messages"], 2 * exchanges)
+        t.assertEqual(sent["messages"], 600 * 4 * exchanges)  # three boxes in a row
+        t.assertEqual(sent["largest_sent [byte]"], 600 * told["sent [byte]"])
+        t.assertGreater(sent["reductions"], 0)
+        t.assertGreater(sent["waiting [s]"], 0)
+        t.assertAlmostEqual(sent["imbalance"], sent["forces_largest [s]"] / sent["forces_mean [s]"], delta=1e-9)
+        t.assertGreaterEqual(sent["imbalance"], 1)
+        t.assertIn(f"\n3 ranks: the slowest took {sent['imbalance']:.2f} times the mean time in the phases of force; ", done.out)
+        t.assertIn(f" MB sent in {sent['messages']} messages, ", done.out)
+    t.expect_success("run", deck, "--out", "one", "--no-report")
+    t.assertNotIn("communication", t.report("one"))
+
+
+@claim("ranks: over TCP between two network namespaces, state and results are those of one process")
+def _(t):
+    launched(t, 2)
+    deck = t.deck(*SHORT)
+    t.expect_success("run", deck, "--out", "1")
+    one, hosts = t.program, Path(__file__).resolve().parents[1] / "ranks_mpi/two_hosts.sh"
+    done = with_program(t, str(hosts), lambda: t.run_program(one, "run", deck, "--out", "2", "--threads", "1"))
+    if done.code == 77:
+        raise unittest.SkipTest(done.err)
+    t.assertEqual(done.code, 0, done)
+    t.assertEqual(contents(t, "2"), contents(t, "1"))
+    t.assertEqual(t.report("2")["state_hash"], t.report("1")["state_hash"])
+    t.assertEqual(t.report("2")["ranks"], 2)
 
 
 main()

@@ -9,6 +9,7 @@
 #include "io/results/contact_bounds_report.hpp"
 #include "io/results/fragment_tables.hpp"
 #include "io/results/json_vector.hpp"
+#include "perimpact/simulation/ranks_report.hpp"
 
 namespace perimpact {
 
@@ -119,6 +120,22 @@ Json impactor_report(const Simulation& simulation, std::size_t number) {
   return json;
 }
 
+Json communication_report(const RanksReport& ranks) {
+  Json json = Json::object();
+  json["messages"] = ranks.all.messages;
+  json["sent [byte]"] = ranks.all.bytes;
+  json["largest_sent [byte]"] = ranks.most_bytes;
+  json["reductions"] = ranks.all.reductions;
+  json["reduced [byte]"] = ranks.all.reduced_bytes;
+  json["collections"] = ranks.all.collections;
+  json["collected [byte]"] = ranks.all.collected_bytes;
+  json["waiting [s]"] = ranks.all.seconds;
+  json["forces_mean [s]"] = ranks.mean_forces;
+  json["forces_largest [s]"] = ranks.largest_forces;
+  json["imbalance"] = ranks.imbalance();
+  return json;
+}
+
 std::string_view word_for(Outcome outcome) {
   switch (outcome) {
     case Outcome::finished:
@@ -216,6 +233,7 @@ Json run_report(Simulation& simulation, Outcome outcome, const std::string& fail
   if (!simulation.impactors().empty()) json["impactors"] = impactors_report(simulation);
   for (const auto& row : simulation.set_up_timers().rows()) json["set_up [s]"][row.name] = row.seconds;
   for (const auto& row : simulation.timers().rows()) json["timers [s]"][row.name] = row.seconds;
+  if (simulation.ranks().size() > 1) json["communication"] = communication_report(report_of_ranks(simulation));
   json["warnings"] = simulation.warnings();
   for (std::string& warning : simulation.closing_warnings()) json["warnings"].push_back(std::move(warning));
   json["setup"] = Json::verbatim(deck::setup_to_text(simulation.setup()));

@@ -24,13 +24,10 @@ Stencil stencil_of(const BodySetup& setup, const Lattice& lattice) {
 int layers_along(std::size_t axis, const Particles& particles) { return static_cast<int>(std::lround(extent(particles)[axis] / particles.spacing())); }
 
 /// Share of this rank in the lattice of a body.
-Share share_of(const BodySetup& setup, const BodySolid& solid, Ranks& ranks) {
+Share share_of(const BodySetup& setup, const BodySolid& solid, Ranks& ranks, int first_rank) {
   const Lattice lattice = lattice_that_fills(setup, solid);
-  try {
-    return Share(ranks, lattice, stencil_of(setup, lattice).reach(), keeps_columns(setup));
-  } catch (const fccda::InputError& error) {
-    throw SetupError("bodies." + setup.name, fmt::format("body {}: {}.", setup.name, error.what()));
-  }
+  const PartitionRule rule = partition_rule_of(setup, lattice);
+  return Share(ranks, lattice, rule.reach, rule.keeps_columns, first_rank);
 }
 
 /// One particle in each cell of the lattice whose centre is inside the solid.
@@ -115,8 +112,9 @@ std::optional<BendingOfLayers> bending_of_thin(const BodySetup& setup, const Par
   return BendingOfLayers{thin, layers, relative_bending_stiffness(setup, thin, layers)};
 }
 
-bool keeps_columns(const BodySetup& setup) {
-  return std::ranges::any_of(setup.boundary_conditions, [](const auto& one) { return std::holds_alternative<FloatingSetup>(one.kind); });
+PartitionRule partition_rule_of(const BodySetup& setup, const Lattice& whole) {
+  const bool floats = std::ranges::any_of(setup.boundary_conditions, [](const auto& one) { return std::holds_alternative<FloatingSetup>(one.kind); });
+  return {whole.cells, stencil_of(setup, whole).reach(), floats};
 }
 
 IsotropicElastic elastic_of(const BodySetup& setup) {
@@ -126,10 +124,10 @@ IsotropicElastic elastic_of(const BodySetup& setup) {
   return IsotropicElastic::in(plane, *modulus, std::visit([&](const auto& material) { return material.poissons_ratio_in(plane); }, setup.material));
 }
 
-Particles make_particles(const BodySetup& setup, const Discretisation& discretisation, Ranks& ranks) {
+Particles make_particles(const BodySetup& setup, const Discretisation& discretisation, Ranks& ranks, int first_rank) {
   if (const auto* cloud = std::get_if<Cloud>(&discretisation)) return with_velocity(setup, Particles(*cloud, setup.elastic().density));
   const BodySolid& solid = std::get<BodySolid>(discretisation);
-  return with_velocity(setup, filled(setup, solid, share_of(setup, solid, ranks)));
+  return with_velocity(setup, filled(setup, solid, share_of(setup, solid, ranks, first_rank)));
 }
 
 Particles make_particles(const BodySetup& setup, Share share) { return with_velocity(setup, filled(setup, BodySolid(setup), std::move(share))); }

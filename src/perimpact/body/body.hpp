@@ -9,10 +9,12 @@
 #include "perimpact/body/failure.hpp"
 #include "perimpact/body/initial_cracks.hpp"
 #include "perimpact/deck_model/setup.hpp"
+#include "perimpact/deck_model/setup_error.hpp"
 #include "perimpact/discretisation/discretise.hpp"
 #include "perimpact/family/family.hpp"
 #include "perimpact/materials/internal_force.hpp"
 #include "perimpact/particles/particles.hpp"
+#include "perimpact/particles/partition.hpp"
 #include "perimpact/particles/shared_numbers.hpp"
 
 namespace perimpact {
@@ -51,14 +53,14 @@ struct Body {
 };
 
 /// Particles that fill the solid, or those of the cloud, with their initial velocities; the share of this rank. Throws SetupError if there are none, or more
-/// than can be indexed.
-Particles make_particles(const BodySetup& setup, const Discretisation& discretisation, Ranks& ranks = alone());
+/// than can be indexed. `first_rank`: see Share.
+Particles make_particles(const BodySetup& setup, const Discretisation& discretisation, Ranks& ranks = alone(), int first_rank = 0);
 inline Particles make_particles(const BodySetup& setup) { return make_particles(setup, discretise(setup)); }
 /// The same of a solid on a lattice of which this rank has that share.
 Particles make_particles(const BodySetup& setup, Share share);
 
-/// True if ranks must not divide its lattice across z: the water under a floating body acts on columns of it.
-bool keeps_columns(const BodySetup& setup);
+/// How ranks divide its lattice: not across z where it floats, since the water under it acts on columns.
+PartitionRule partition_rule_of(const BodySetup& setup, const Lattice& whole);
 
 /// Elastic constants of its material, 3-D or 2-D.
 IsotropicElastic elastic_of(const BodySetup& setup);

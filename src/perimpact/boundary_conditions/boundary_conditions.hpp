@@ -9,7 +9,8 @@
 ///
 /// In relaxation they are static_load(particles, time), static_hydrostatics(particles) and constrain_statically(particles), each of which returns its
 /// force; an action without them exerts none. flood_deep_columns(particles) follows an accepted equilibrium. conjugate_displacement(particles, time) is that
-/// with which the force does work. leave_out(slots, axis) excludes directions that another boundary condition constrains.
+/// with which the force does work. leave_out(slots, axis) excludes directions that another boundary condition constrains. collectives_in_step(setup) are the
+/// reductions of several ranks in its phases, which do not depend on the particles.
 #pragma once
 
 #include <cstdint>

@@ -13,6 +13,7 @@
 #include "perimpact/family/family.hpp"
 #include "perimpact/force/bond_loop.hpp"
 #include "perimpact/force/pass.hpp"
+#include "perimpact/force/step_messages.hpp"
 
 namespace perimpact {
 
@@ -113,6 +114,8 @@ class Breaking {
   void for_each_pack(const Bonds& bonds, const Particles& particles, Family& family, const PassOptions& options, SumsOfEights& sums, const PerPack& per_pack);
 
   bool is_armed() const { return rule_.has_value(); }
+  /// Of a pass in which bonds may break.
+  StepMessages messages() const { return {.refreshed = {}, .collectives = rule_ && rule_->hardening > 0 ? reduction_of(1) : Traffic{}}; }
   const std::optional<BreakingRule>& rule() const { return rule_; }
   double bytes() const {
     return static_cast<double>(sizeof(double) * (half_strength_.slots() + pressed_half_strength_.slots() + squared_limits_.size() + lengths_.size()) +

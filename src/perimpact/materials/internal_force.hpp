@@ -8,8 +8,8 @@
 
 namespace perimpact {
 
-/// The force kernels of all materials. Each has pass<Pack>(particles, family, options, sums), breaking(), bond_stiffness(slot, bond) and bytes(); visit_state
-/// if the next step depends on more than particles and bonds, and visit_record for what is only summed.
+/// The force kernels of all materials. Each has pass<Pack>(particles, family, options, sums), breaking(), bond_stiffness(slot, bond), bytes() and messages();
+/// visit_state if the next step depends on more than particles and bonds, and visit_record for what is only summed.
 template <class Setups>
 struct ForcesOf;
 template <class... Setups>
@@ -64,6 +64,9 @@ class InternalForce {
   PlasticForce* plastic() { return std::get_if<PlasticForce>(&kind_); }
   double plastic_dissipation() const { return plastic() ? plastic()->dissipation(share_.ranks()) : 0; }  ///< [J] since construction
   double bytes() const;                                                                                  ///< [bytes] of memory
+  StepMessages messages() const {                                                                        ///< of evaluate()
+    return std::visit([](const auto& force) { return force.messages(); }, kind_);
+  }
 
   template <class Visitor>
   void visit_state(const std::string& name, Visitor&& visit) {

@@ -40,39 +40,40 @@ std::optional<std::size_t> MovedState::target(std::size_t whole_slot) const {
   return slot_at(*body_.particles.whole_lattice(), whole_slot, {-body_.cells[0], -body_.cells[1], -body_.cells[2]});
 }
 
-std::optional<std::size_t> MovedState::moved_particle(std::size_t particle) const {
-  if (particle < body_.first_particle || particle >= body_.first_particle + is_new_.size()) return particle;
-  const std::optional<std::size_t> moved = target(particle - body_.first_particle);
-  return moved ? std::optional(*moved + body_.first_particle) : std::nullopt;
+std::optional<std::size_t> MovedState::moved_id(std::size_t id) const {
+  if (id < body_.first_id || id >= body_.first_id + body_.particles.whole_lattice()->slots()) return id;
+  const std::optional<std::size_t> moved = target(id - body_.first_id);
+  return moved ? std::optional(*moved + body_.first_id) : std::nullopt;
 }
 
 std::vector<std::byte> MovedState::list(std::string_view name, const std::vector<std::byte>& from) {
   const std::string detector = "." + std::to_string(body_.index) + ".";
   if (name.find(detector) != std::string_view::npos && (name.ends_with(".points_inside") || name.ends_with(".points_in_contact"))) {
     const Share& share = body_.particles.share();
-    std::vector<std::uint64_t> all = numbers_of<std::uint64_t>(from), points;
-    for (std::uint64_t& point : all) point = share.whole_slot(point);
-    for (const std::uint64_t point : share.ranks().join_all(std::span<const std::uint64_t>(all)))
+    std::vector<std::uint64_t> own = numbers_of<std::uint64_t>(from), points;
+    for (std::uint64_t& point : own) point = share.whole_slot(point);
+    for (const std::uint64_t point : share.ranks().join_all(std::span<const std::uint64_t>(own)))
       if (const std::optional<std::size_t> moved = target(point))
-        if (const std::optional<std::size_t> own = share.owned_slot(*moved)) points.push_back(*own);
+        if (const std::optional<std::size_t> slot = share.owned_slot(*moved)) points.push_back(*slot);
     std::ranges::sort(points);
     return bytes_of(points);
   }
   if (name == "fragments.pair_ends") {
     kept_pairs_.clear();
-    std::vector<std::uint32_t> ends;
-    const std::vector<std::uint32_t> before = numbers_of<std::uint32_t>(from);
+    std::vector<std::uint64_t> ends;
+    const std::vector<std::uint64_t> before = of_all_ranks<std::uint64_t>(from);
     for (std::size_t pair = 0; pair < before.size() / 2; ++pair) {
-      const std::optional<std::size_t> i = moved_particle(before[2 * pair]), j = moved_particle(before[2 * pair + 1]);
+      const std::optional<std::size_t> i = moved_id(before[2 * pair]), j = moved_id(before[2 * pair + 1]);
       if (!i || !j) continue;
       kept_pairs_.push_back(pair);
-      ends.push_back(static_cast<std::uint32_t>(*i)), ends.push_back(static_cast<std::uint32_t>(*j));
+      ends.push_back(*i), ends.push_back(*j);
     }
     return bytes_of(ends);
   }
-  if (name == "fragments.pair_slips" && !from.empty()) {
+  if (name == "fragments.pair_slips") {
+    const std::vector<double> before = of_all_ranks<double>(from);
     std::vector<double> slips;
-    const std::vector<double> before = numbers_of<double>(from);
+    if (before.empty()) return {};  // without friction
     for (const std::size_t pair : kept_pairs_)
       slips.insert(slips.end(), before.begin() + static_cast<std::ptrdiff_t>(3 * pair), before.begin() + static_cast<std::ptrdiff_t>(3 * pair + 3));
     return bytes_of(slips);
@@ -86,16 +87,6 @@ bool MovedState::is_of_all_particles(std::string_view name, std::size_t numbers,
   body_.particles.share().ranks().sum(counts);
   const auto all = static_cast<std::int64_t>(body_.particles.whole_lattice()->slots());
   return counts[0] == all && counts[1] == all;
-}
-
-void MovedState::array(std::string_view name, std::span<const std::byte> from, std::span<std::byte> to, std::size_t size_of_number) const {
-  const bool is_of_particles = name == "fragments.threshold" || (name == "fragments.latest_pressure" && !to.empty());
-  if (!is_of_particles) return copy(from, to);
-  // the particles of all bodies, of which those of others keep their values
-  const std::size_t first = body_.first_particle * size_of_number, length = is_new_.size() * size_of_number;
-  copy(from.first(first), to.first(first));
-  body_.particles.share().shift(*body_.particles.lattice(), from.subspan(first, length), to.subspan(first, length), byte_lanes * size_of_number, body_.cells);
-  copy(from.subspan(first + length), to.subspan(first + length));
 }
 
 // Bonds to or from new material are intact, and those to discarded material do not exist. `to`: all bonds of the newly built body.

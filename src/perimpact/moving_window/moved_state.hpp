@@ -40,7 +40,7 @@ class MovedState {
   struct MovedBody {
     std::string name;
     std::size_t index;
-    std::size_t first_particle;  ///< number of particles of the bodies before it
+    std::size_t first_id;        ///< of its particles in pairs of the contact of fragments: number of slots of the bodies before it, on all ranks
     std::array<int, 3> cells;    ///< by which it moves, MovingWindow::cells_of(moves)
     const Particles& particles;  ///< rebuilt
     const Family& family;        ///< rebuilt
@@ -64,7 +64,7 @@ class MovedState {
       } else if constexpr (requires { values.per_slot; }) {
         if (is_of_all_particles(name, numbers.size(), values.slots.size())) return of_particles(numbers_of<T>(from), numbers, values.slots);
       }
-      array(name, from, std::as_writable_bytes(numbers), sizeof(T));
+      copy(from, std::as_writable_bytes(numbers));
     }
   }
 
@@ -75,9 +75,12 @@ class MovedState {
     if (!bytes.empty()) std::memcpy(numbers.data(), bytes.data(), bytes.size());
     return numbers;
   }
+  template <class T>
+  std::vector<T> of_all_ranks(std::span<const std::byte> own) const {
+    return body_.particles.share().ranks().join_all(std::span<const T>(numbers_of<T>(own)));
+  }
   static void copy(std::span<const std::byte> from, std::span<std::byte> to);
   std::vector<std::byte> list(std::string_view name, const std::vector<std::byte>& from);
-  void array(std::string_view name, std::span<const std::byte> from, std::span<std::byte> to, std::size_t size_of_number) const;
   /// `per_eight` numbers of each eight slots of the body.
   template <class T>
   void eights(std::string_view name, const std::vector<T>& from, std::span<T> to, std::size_t per_eight) const {
@@ -99,8 +102,8 @@ class MovedState {
   void bonds(std::span<const std::uint8_t> from, std::span<std::uint8_t> to, std::size_t per_eight) const;
   /// The slot after the move of that slot before it, on the lattice of the whole body; none if it is discarded.
   std::optional<std::size_t> target(std::size_t whole_slot) const;
-  /// Index of a particle of all bodies after the move; none if it is discarded.
-  std::optional<std::size_t> moved_particle(std::size_t particle) const;
+  /// Id of a particle after the move; none if it is discarded.
+  std::optional<std::size_t> moved_id(std::size_t id) const;
 
   const CapturedState& captured_;
   MovedBody body_;

@@ -5,6 +5,7 @@
 #include <cstdint>
 #include <limits>
 #include <optional>
+#include <string>
 
 #include "base/pack.hpp"
 
@@ -116,6 +117,44 @@ std::vector<CellBox> partition(const PartitionRule& rule, int ranks) {
   const bool is_complete = bisected.size() == static_cast<std::size_t>(ranks);
   std::vector<CellBox> regular = grid_of(*parts, rule);
   return is_complete && largest_work(bisected, rule) < largest_work(regular, rule) ? bisected : regular;
+}
+
+std::vector<CellBox> boxes_of_ranks(const PartitionRule& rule, int ranks, int first_rank) {
+  const std::vector<CellBox> parts = partition(rule, ranks);
+  std::vector<CellBox> boxes(static_cast<std::size_t>(ranks));
+  for (std::size_t part = 0; part < parts.size(); ++part) boxes[(part + static_cast<std::size_t>(first_rank)) % boxes.size()] = parts[part];
+  return boxes;
+}
+
+int count_parts(std::span<const CellBox> boxes) {
+  return static_cast<int>(std::ranges::count_if(boxes, [](const CellBox& box) { return box.cells() > 0; }));
+}
+
+void RanksInTurn::add(int parts) {
+  if (parts == ranks_)
+    is_divided_among_all_ = true;
+  else
+    parts_ += parts;
+}
+
+CellBox with_ghosts(const CellBox& box, const PartitionRule& rule) {
+  constexpr int eight = static_cast<int>(fccda::byte_lanes);
+  if (box.cells() == 0) return {{0, 0, 0}, {1, 1, 1}};
+  return intersection(box.grown({(rule.reach + eight - 1) / eight * eight, rule.reach, rule.reach}), {{0, 0, 0}, rule.cells});
+}
+
+std::vector<ExchangedCells> exchanged_cells(std::span<const CellBox> boxes, int rank, int reach) {
+  const CellBox& own = boxes[static_cast<std::size_t>(rank)];
+  const std::array<int, 3> within{reach, reach, reach};
+  const CellBox around = own.grown(within);
+  std::vector<ExchangedCells> exchanged;
+  if (own.cells() == 0) return exchanged;
+  for (std::size_t other = 0; other < boxes.size(); ++other) {
+    const CellBox receive = intersection(around, boxes[other]);
+    if (static_cast<int>(other) == rank || receive.cells() == 0) continue;
+    exchanged.push_back({static_cast<int>(other), intersection(boxes[other].grown(within), own), receive});
+  }
+  return exchanged;
 }
 
 }  // namespace perimpact

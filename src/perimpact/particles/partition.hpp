@@ -9,6 +9,7 @@
 #pragma once
 
 #include <array>
+#include <span>
 #include <vector>
 
 #include "perimpact/particles/cell_box.hpp"
@@ -23,5 +24,37 @@ struct PartitionRule {
 
 /// The box of each rank, at most `ranks`; fewer where there are not as many blocks of cells to divide.
 std::vector<CellBox> partition(const PartitionRule& rule, int ranks);
+
+/// The boxes of all ranks, from `first_rank` on; empty for ranks beyond the number of blocks of cells.
+std::vector<CellBox> boxes_of_ranks(const PartitionRule& rule, int ranks, int first_rank = 0);
+int count_parts(std::span<const CellBox> boxes);  ///< number that are not empty
+
+/// Order of the ranks in several bodies: a body of a part for each rank begins with rank 0, and smaller ones with the rank after the last of the small body
+/// before, so that many small bodies are divided evenly.
+class RanksInTurn {
+ public:
+  explicit RanksInTurn(int ranks) : ranks_(ranks) {}
+  int first_rank() const { return parts_ % ranks_; }  ///< of the next body
+  void add(int parts);                                ///< of the next body
+  bool all_have_parts() const { return is_divided_among_all_ || parts_ >= ranks_; }
+  int ranks() const { return ranks_; }
+  int parts() const { return parts_; }  ///< of small bodies
+
+ private:
+  int ranks_, parts_ = 0;  // of small bodies
+  bool is_divided_among_all_ = false;
+};
+
+/// The cells of a rank's own lattice: its box, and `reach` cells around it, in x whole eights; one cell of a rank without a part, since no array is empty.
+CellBox with_ghosts(const CellBox& box, const PartitionRule& rule);
+
+/// Cells that a rank sends to another and receives from it in a refresh of ghosts.
+struct ExchangedCells {
+  int rank;  ///< the other
+  CellBox send, receive;
+};
+
+/// Those of a rank with each other that is within reach, by ascending rank. `boxes`: of all ranks.
+std::vector<ExchangedCells> exchanged_cells(std::span<const CellBox> boxes, int rank, int reach);
 
 }  // namespace perimpact

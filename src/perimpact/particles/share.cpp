@@ -2,10 +2,8 @@
 
 #include <algorithm>
 #include <numeric>
-#include <string>
 
 #include "base/contract.hpp"
-#include "base/error.hpp"
 #include "base/pack.hpp"
 #include "perimpact/particles/partition.hpp"
 
@@ -23,26 +21,17 @@ CellBox shifted(const CellBox& box, const std::array<int, 3>& by) {
 
 Share::Share() : ranks_(&alone()) {}
 
-Share::Share(Ranks& ranks, const Lattice& whole, int reach, bool keeps_columns) : ranks_(&alone()) {
+Share::Share(Ranks& ranks, const Lattice& whole, int reach, bool keeps_columns, int first_rank) : ranks_(&alone()) {
   if (ranks.size() == 1) return;
   ranks_ = &ranks;
-  const std::vector<CellBox> boxes = partition({whole.cells, reach, keeps_columns}, ranks.size());
-  if (boxes.size() < static_cast<std::size_t>(ranks.size()))
-    throw fccda::InputError("the lattice of " + std::to_string(whole.cells[0]) + " x " + std::to_string(whole.cells[1]) + " x " +
-                            std::to_string(whole.cells[2]) + " cells can be divided among at most " + std::to_string(boxes.size()) +
-                            " ranks, since cuts across x are at multiples of eight cells; use fewer");
-  const int eight = static_cast<int>(fccda::byte_lanes);
-  const std::array<int, 3> within = {reach, reach, whole.thickness ? 0 : reach}, around = {(reach + eight - 1) / eight * eight, within[1], within[2]};
-  const CellBox all{{0, 0, 0}, whole.cells};
+  const PartitionRule rule{whole.cells, reach, keeps_columns};
+  const std::vector<CellBox> boxes = boxes_of_ranks(rule, ranks.size(), first_rank);
   Plan plan{.whole = whole, .lattice = whole, .owned = boxes[static_cast<std::size_t>(ranks.rank())]};
-  const CellBox local = intersection(plan.owned.grown(around), all);
+  const CellBox local = with_ghosts(plan.owned, rule);
   plan.offset = local.low;
   for (std::size_t axis = 0; axis < 3; ++axis) plan.lattice.cells[axis] = local.size(axis), plan.lattice.first[axis] = whole.first[axis] + local.low[axis];
-  for (std::size_t other = 0; other < boxes.size(); ++other) {
-    if (static_cast<int>(other) == ranks.rank()) continue;
-    const CellBox receive = intersection(plan.owned.grown(within), boxes[other]), send = intersection(boxes[other].grown(within), plan.owned);
-    if (receive.cells() + send.cells() > 0) plan.peers.push_back({static_cast<int>(other), shifted(send, plan.offset), shifted(receive, plan.offset)});
-  }
+  for (const ExchangedCells& cells : exchanged_cells(boxes, ranks.rank(), reach))
+    plan.peers.push_back({cells.rank, shifted(cells.send, plan.offset), shifted(cells.receive, plan.offset)});
   plan.boxes = boxes;
   plan_ = std::make_shared<const Plan>(std::move(plan));
 }
@@ -60,6 +49,11 @@ Lattice Share::lattice() const {
 CellBox Share::owned() const {
   EXPECTS(plan_);
   return shifted(plan_->owned, plan_->offset);
+}
+
+int Share::parts() const {
+  EXPECTS(plan_);
+  return count_parts(plan_->boxes);
 }
 
 void Share::collect_flags(std::uint8_t* flags) const {
@@ -114,11 +108,22 @@ std::size_t Share::first_of_own(std::size_t count) const {
 }
 
 std::optional<std::size_t> Share::owned_slot(std::size_t slot) const {
+  if (plan_ && !plan_->owned.contains(plan_->whole.cell(slot))) return std::nullopt;
+  return local_slot(slot);
+}
+
+std::optional<std::size_t> Share::local_slot(std::size_t slot) const {
   if (!plan_) return slot;
   std::array<int, 3> cell = plan_->whole.cell(slot);
-  if (!plan_->owned.contains(cell)) return std::nullopt;
   for (std::size_t axis = 0; axis < 3; ++axis) cell[axis] -= plan_->offset[axis];
+  if (!plan_->lattice.contains(cell[0], cell[1], cell[2])) return std::nullopt;
   return plan_->lattice.slot(cell[0], cell[1], cell[2]);
+}
+
+int Share::owner_of(std::size_t slot) const {
+  if (!plan_) return ranks_->rank();
+  const std::array<int, 3> cell = plan_->whole.cell(slot);
+  return static_cast<int>(std::ranges::find_if(plan_->boxes, [&](const CellBox& box) { return box.contains(cell); }) - plan_->boxes.begin());
 }
 
 std::size_t Share::ghosts() const {

@@ -25,15 +25,16 @@ class Share {
  public:
   /// The whole body, in a run of one rank.
   Share();
-  /// The share of this rank in a body on that lattice. `keeps_columns`: columns along z are not divided. Throws InputError if there are more ranks than
-  /// blocks of cells.
-  Share(Ranks& ranks, const Lattice& whole, int reach, bool keeps_columns);
+  /// The share of this rank in a body on that lattice. `keeps_columns`: columns along z are not divided. A small body is divided among fewer ranks than there
+  /// are, from `first_rank` on; the others own nothing of it.
+  Share(Ranks& ranks, const Lattice& whole, int reach, bool keeps_columns, int first_rank = 0);
 
   Ranks& ranks() const { return *ranks_; }
   bool is_whole() const { return !plan_; }
   const Lattice& whole() const;  ///< lattice of the whole body; requires a partial share
   Lattice lattice() const;       ///< that of this rank, with ghosts
   CellBox owned() const;         ///< cells of lattice()
+  int parts() const;             ///< number of ranks that own cells; requires a partial share
 
   /// Sets the values of ghosts to those of their owners. `arrays`: by slot of lattice().
   template <class T>
@@ -94,6 +95,10 @@ class Share {
   Share at(const std::array<int, 3>& first) const;
   /// The slot of this rank's lattice, or nothing if another rank owns it.
   std::optional<std::size_t> owned_slot(std::size_t whole_slot) const;
+  /// The slot of this rank's lattice, ghosts and their surroundings included, or nothing if it is outside.
+  std::optional<std::size_t> local_slot(std::size_t whole_slot) const;
+  /// The rank that owns a slot of the whole body.
+  int owner_of(std::size_t whole_slot) const;
   /// Calls f(first, first in the whole body, count) for runs of the numbers of owned eights.
   template <class F>
   void for_each_owned_run(std::size_t per_eight, const F& f) const;

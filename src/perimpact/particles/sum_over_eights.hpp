@@ -28,6 +28,12 @@ Value value_of_all(Ranks& ranks, fccda::ExactSums<Value> sums) {
   return sums.value();
 }
 
+/// The messages of value_of_all().
+template <class Value>
+constexpr Traffic reduction_of_sums() {
+  return reduction_of(static_cast<std::int64_t>(sizeof(Value) / sizeof(double) * fccda::ExactSum::limb_count));
+}
+
 /// Exact sum of numbers of all ranks. Collective.
 inline double exact_sum(Ranks& ranks, std::span<const double> numbers) { return value_of_all(ranks, fccda::exact_sum(numbers)); }
 

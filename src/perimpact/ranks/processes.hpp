@@ -19,7 +19,7 @@ class Processes : public Ranks {
 };
 
 /// Version of Processes and of its base: of the program and the library, which must agree.
-constexpr int processes_version = 1;
+constexpr int processes_version = 2;
 
 /// The function by which the library connects the processes that were started together. Returns a new object, or nullptr if the library has another
 /// version. To be called once, by the thread that will make all calls.

@@ -11,6 +11,8 @@
 #include <type_traits>
 #include <vector>
 
+#include "perimpact/ranks/traffic.hpp"
+
 namespace perimpact {
 
 class Ranks {
@@ -44,6 +46,8 @@ class Ranks {
   virtual void broadcast(Bytes& bytes) = 0;
   /// Ends the run on all ranks, which fail in their current or next collective call.
   virtual void abort() noexcept = 0;
+  /// What this rank has sent so far; nothing where it is not counted (counting_ranks.hpp).
+  virtual Traffic traffic() const { return {}; }
 
   std::int64_t sum(std::int64_t value) {
     sum(std::span(&value, 1));

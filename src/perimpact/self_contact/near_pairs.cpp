@@ -37,20 +37,25 @@ void for_each_block(std::size_t count, const F& f) {
 NearPairs::NearPairs(const ShortRangeLaw& law, std::span<const ContactingBody> bodies) : law_(law) {
   double finest = far, largest = 0;
   std::size_t count = 0;
+  std::uint64_t first_id = 0;
   for (const ContactingBody& body : bodies) count += body.particles.size();
   particles_.reserve(count);
   for (std::size_t b = 0; b < bodies.size(); ++b) {
     const Particles& particles = bodies[b].particles;
     finest = std::min(finest, particles.spacing());
+    const Share& share = shares_.emplace_back(particles.share());
     exposures_.emplace_back(particles, bodies[b].family, bodies[b].broken_ends);
-    std::vector<std::uint32_t>& at = particle_at_.emplace_back(particles.slots(), 0);
+    std::vector<std::uint32_t>& at = particle_at_.emplace_back(particles.slots(), none);
     for (const std::uint32_t slot : particles.slot_of()) {
       at[slot] = static_cast<std::uint32_t>(particles_.size());
-      particles_.push_back({static_cast<std::uint32_t>(b), slot, particles.reference(slot), particles.size_of(slot), particles.volume(slot),
-                            static_cast<std::uint32_t>(particles_.size())});
+      particles_.push_back({static_cast<std::uint32_t>(b), 0, slot, particles.reference(slot), particles.size_of(slot), particles.volume(slot),
+                            first_id + share.whole_slot(slot)});
       largest = std::max(largest, particles_.back().size);
     }
+    first_ids_.push_back(first_id);
+    first_id += share.is_whole() ? particles.slots() : share.whole().slots();
   }
+  largest = ranks().max(largest);
   skin_ = skin_ratio * finest;
   longest_ = weight_reach * law.distance_ratio * largest;
   reference_positions_ = VectorArray(particles_.size(), 0);
@@ -62,7 +67,8 @@ bool NearPairs::needs_new_list(std::span<const ContactingBody> bodies) {
   bool is_valid = is_known_;
   for (std::size_t b = 0; b < bodies.size(); ++b)
     for (const std::uint32_t slot : exposures_[b].update(bodies[b].family, bodies[b].broken_ends)) is_valid = is_valid && near_damage_[particle_at_[b][slot]];
-  return !is_valid || has_moved_by_skin(bodies);
+  const bool has_moved = has_moved_by_skin(bodies);
+  return ranks().any(!is_valid) || has_moved;
 }
 
 bool NearPairs::has_moved_by_skin(std::span<const ContactingBody> bodies) {
@@ -74,6 +80,7 @@ bool NearPairs::has_moved_by_skin(std::span<const ContactingBody> bodies) {
   for_each_block(particles_.size(), [&](std::size_t first, std::size_t last) {
     Moved moved;
     for (std::size_t p = first; p < last; ++p) {
+      if (particles_[p].is_foreign) continue;
       const Vec3d by = bodies[particles_[p].body].particles.position.at(particles_[p].slot) - reference_positions_.at(p);
       for (std::size_t c = 0; c < 3; ++c) moved.low[c] = std::min(moved.low[c], by[c]), moved.high[c] = std::max(moved.high[c], by[c]);
       moved.furthest = std::max(moved.furthest, squared_norm(by - drift_));
@@ -85,16 +92,92 @@ bool NearPairs::has_moved_by_skin(std::span<const ContactingBody> bodies) {
     for (std::size_t c = 0; c < 3; ++c) all.low[c] = std::min(all.low[c], moved.low[c]), all.high[c] = std::max(all.high[c], moved.high[c]);
     all.furthest = std::max(all.furthest, moved.furthest);
   }
-  const double diagonal = squared_norm(all.high - all.low);
-  drift_ = 0.5 * (all.low + all.high);  // the next step's
-  return !(diagonal <= skin_ * skin_ || all.furthest <= 0.25 * skin_ * skin_);
+  std::array<double, 7> largest = {-all.low.x, -all.low.y, -all.low.z, all.high.x, all.high.y, all.high.z, all.furthest};
+  ranks().max(largest);
+  const Vec3d low{-largest[0], -largest[1], -largest[2]}, high{largest[3], largest[4], largest[5]};
+  drift_ = 0.5 * (low + high);  // the next step's
+  return !(squared_norm(high - low) <= skin_ * skin_ || largest[6] <= 0.25 * skin_ * skin_);
+}
+
+std::size_t NearPairs::body_of(std::uint64_t id) const {
+  return static_cast<std::size_t>(std::upper_bound(first_ids_.begin(), first_ids_.end(), id) - first_ids_.begin()) - 1;
+}
+
+int NearPairs::owner_of(std::uint64_t id) const {
+  const std::size_t body = body_of(id);
+  return shares_[body].owner_of(static_cast<std::size_t>(id - first_ids_[body]));
+}
+
+std::optional<std::size_t> NearPairs::member_of_id(std::uint64_t id) const {
+  const std::size_t body = body_of(id);
+  std::uint32_t particle = none;
+  if (const auto slot = shares_[body].owned_slot(static_cast<std::size_t>(id - first_ids_[body]))) {
+    particle = particle_at_[body][*slot];
+  } else if (const auto found = std::ranges::lower_bound(foreign_.all(), id, {}, &ForeignParticles::Particle::id);
+             found != foreign_.all().end() && found->id == id) {
+    particle = foreign_particles_[static_cast<std::size_t>(found - foreign_.all().begin())];
+  }
+  if (particle == none || member_of_[particle] == none) return std::nullopt;
+  return member_of_[particle];
+}
+
+/// Replaces the foreign particles in the list of all particles by those that are near now.
+void NearPairs::find_foreign(std::span<const ContactingBody> bodies) {
+  if (ranks().size() == 1) return;
+  std::erase_if(particles_, [](const Member& particle) { return particle.is_foreign != 0; });
+  VectorArray own_positions(particles_.size(), 0);
+  for (std::size_t p = 0; p < particles_.size(); ++p) own_positions.set(p, bodies[particles_[p].body].particles.position.at(particles_[p].slot));
+  const std::vector<Member> own = std::move(particles_);
+  foreign_.find(ranks(), own_positions, longest_ + skin_, [&](std::size_t p) {
+    const Member& i = own[p];
+    return ForeignParticles::Particle{
+        i.id, i.body, exposures_[i.body].is_exposed(i.slot), exposures_[i.body].has_lost(i.slot), i.reference, own_positions.at(p), i.size, i.volume};
+  });
+  for (std::vector<std::uint32_t>& at : particle_at_) std::ranges::fill(at, none);
+  particles_ = {};
+  particles_.reserve(own.size() + foreign_.all().size());
+  reference_positions_ = VectorArray(own.size() + foreign_.all().size(), 0);
+  own_particles_.clear(), foreign_particles_.clear(), foreign_states_.clear();
+  std::size_t next = 0;
+  const auto add_own_before = [&](std::uint64_t id) {
+    for (; next < own.size() && own[next].id < id; ++next) {
+      particle_at_[own[next].body][own[next].slot] = static_cast<std::uint32_t>(particles_.size());
+      own_particles_.push_back(static_cast<std::uint32_t>(particles_.size()));
+      reference_positions_.set(particles_.size(), own_positions.at(next));
+      particles_.push_back(own[next]);
+    }
+  };
+  for (const ForeignParticles::Particle& i : foreign_.all()) {
+    add_own_before(i.id);
+    if (const auto slot = shares_[i.body].local_slot(static_cast<std::size_t>(i.id - first_ids_[i.body])))
+      particle_at_[i.body][*slot] = static_cast<std::uint32_t>(particles_.size());
+    reference_positions_.set(particles_.size(), i.position);
+    const auto index = static_cast<std::uint32_t>(foreign_particles_.size());
+    foreign_particles_.push_back(static_cast<std::uint32_t>(particles_.size()));
+    foreign_states_.push_back({i.position, {}, i.is_exposed});
+    particles_.push_back({i.body, 1, index, i.reference, i.size, i.volume, i.id});
+  }
+  add_own_before(std::numeric_limits<std::uint64_t>::max());
+  near_damage_.assign(particles_.size(), 0);
+}
+
+void NearPairs::refresh_foreign(std::span<const ContactingBody> bodies) {
+  if (ranks().size() == 1) return;
+  const auto state_of = [&](std::size_t own) {
+    const Member& i = particles_[own_particles_[own]];
+    const Particles& particles = bodies[i.body].particles;
+    return ForeignState{particles.position.at(i.slot), particles.velocity.at(i.slot), exposures_[i.body].is_exposed(i.slot)};
+  };
+  foreign_.refresh<ForeignState>(ranks(), state_of, [&](std::size_t foreign, const ForeignState& state) { foreign_states_[foreign] = state; });
 }
 
 void NearPairs::make(std::span<const ContactingBody> bodies) {
   ++times_made_;
   is_known_ = true;
+  find_foreign(bodies);
   for_each_block(particles_.size(), [&](std::size_t first, std::size_t last) {
-    for (std::size_t p = first; p < last; ++p) reference_positions_.set(p, bodies[particles_[p].body].particles.position.at(particles_[p].slot));
+    for (std::size_t p = first; p < last; ++p)
+      if (!particles_[p].is_foreign) reference_positions_.set(p, bodies[particles_[p].body].particles.position.at(particles_[p].slot));
   });
   drift_ = {};
   cells_.sort(reference_positions_, longest_ + skin_);
@@ -109,6 +192,7 @@ void NearPairs::make(std::span<const ContactingBody> bodies) {
     Part& part = parts[first / block];
     std::vector<Found> found;
     for (std::size_t p = first; p < last; ++p) {
+      if (particles_[p].is_foreign) continue;
       near_damage_[p] = (cell_marks_[cells_.cell_of(p)] & is_near_damage) != 0;
       if (!(cell_marks_[cells_.cell_of(p)] & is_near)) continue;
       find_of(p, bodies, found);
@@ -121,16 +205,23 @@ void NearPairs::make(std::span<const ContactingBody> bodies) {
   first_pair_.assign(1, 0);
   pair_counts_.clear();
   broken_ends_.clear();
-  std::vector<std::uint32_t> member_of(particles_.size());
+  std::vector<std::uint8_t> is_used(foreign_.all().size(), 0);
+  if (!is_used.empty())
+    for (const Part& part : parts)
+      for (const Found& found : part.found)
+        if (particles_[found.particle].is_foreign) is_used[particles_[found.particle].slot] = 1;
+  if (ranks().size() > 1) foreign_.keep(ranks(), is_used);
+  member_of_.assign(particles_.size(), none);
   std::vector<std::size_t> first_of_part;
   for (std::size_t p = 0; p < particles_.size(); ++p) {
     if (p % block == 0) first_of_part.push_back(members_.size());
+    const Member& particle = particles_[p];
     const std::uint32_t count = parts[p / block].counts[p % block];
-    if (count == 0) continue;
-    member_of[p] = static_cast<std::uint32_t>(members_.size());
-    members_.push_back(particles_[p]);
+    if (particle.is_foreign ? !is_used[particle.slot] : count == 0) continue;
+    member_of_[p] = static_cast<std::uint32_t>(members_.size());
+    members_.push_back(particle);
     pair_counts_.push_back(count);
-    broken_ends_.push_back(bodies[particles_[p].body].broken_ends[particles_[p].slot / fccda::byte_lanes]);
+    broken_ends_.push_back(particle.is_foreign ? 0 : bodies[particle.body].broken_ends[particle.slot / fccda::byte_lanes]);
     first_pair_.push_back(first_pair_.back() + (count + fccda::byte_lanes - 1) / fccda::byte_lanes * fccda::byte_lanes);
   }
   resize_to(others_, first_pair_.back());
@@ -145,7 +236,7 @@ void NearPairs::make(std::span<const ContactingBody> bodies) {
       const auto add = [&](bool bonded) {
         for (std::size_t n = next; n < last; ++n) {
           if ((found[n].bond != no_bond) != bonded) continue;
-          others_[pair] = static_cast<std::int32_t>(member_of[found[n].particle]);
+          others_[pair] = static_cast<std::int32_t>(member_of_[found[n].particle]);
           bonds_[pair++] = found[n].bond;
         }
       };
@@ -168,9 +259,8 @@ void NearPairs::mark_cells() {
   for_each_cell([&](std::size_t cell) {
     std::uint8_t mark = 0;
     for (const std::uint32_t p : cells_.points_in(cell)) {
-      const Exposure& exposure = exposures_[particles_[p].body];
-      if (exposure.has_lost(particles_[p].slot)) mark |= holds_lost;
-      if (exposure.is_exposed(particles_[p].slot)) mark |= holds_exposed;
+      if (has_lost(particles_[p])) mark |= holds_lost;
+      if (is_exposed(particles_[p])) mark |= holds_exposed;
     }
     cell_marks_[cell] = mark;
   });
@@ -185,14 +275,18 @@ void NearPairs::mark_cells() {
     cell_marks_ = std::move(widened);
   };
   widen(holds_lost, is_near_damage);
+  // Where owners assume damage bonds may break without a new list, although what is damaged may be out of reach here.
+  if (ranks().size() > 1)
+    foreign_.refresh<std::uint8_t>(
+        ranks(), [&](std::size_t own) { return static_cast<std::uint8_t>(cell_marks_[cells_.cell_of(own_particles_[own])] & is_near_damage); },
+        [&](std::size_t foreign, std::uint8_t mark) { cell_marks_[cells_.cell_of(foreign_particles_[foreign])] |= mark; });
   widen(holds_exposed | is_near_damage, is_near);
 }
 
 void NearPairs::find_of(std::size_t p, std::span<const ContactingBody> bodies, std::vector<Found>& found) const {
   found.clear();
   const Member& i = particles_[p];
-  const Exposure& exposure = exposures_[i.body];
-  const bool near_damage = (cell_marks_[cells_.cell_of(p)] & is_near_damage) != 0, searches = near_damage || exposure.is_exposed(i.slot);
+  const bool near_damage = (cell_marks_[cells_.cell_of(p)] & is_near_damage) != 0, searches = near_damage || is_exposed(i);
   const double horizon = bodies[i.body].family.horizon(), surely_bonded = (1 - 1e-9) * horizon * horizon, reach = longest_ + skin_;
   bool may_be_bonded = false;
   cells_.for_each_around(cells_.cell_of(p), [&](std::size_t cell) {
@@ -201,7 +295,7 @@ void NearPairs::find_of(std::size_t p, std::span<const ContactingBody> bodies, s
     cells_.for_each_within(cell, reference_positions_.at(p), reach * reach, [&](std::uint32_t q) {
       if (q == p) return;
       const Member& j = particles_[q];
-      if (!searches && !others_near_damage && !exposures_[j.body].is_exposed(j.slot)) return;
+      if (!searches && !others_near_damage && !is_exposed(j)) return;
       const bool one_body = i.body == j.body;
       // between two particles that have lost no bond, a bond of theirs is intact
       if (one_body && !near_damage && !others_near_damage && squared_norm(j.reference - i.reference) < surely_bonded) return;
@@ -222,6 +316,7 @@ void NearPairs::name_bonds(std::size_t p, std::span<const ContactingBody> bodies
   std::size_t next = 0;  // both are sorted by slot
   family.for_each_bond(i.slot, [&](const FamilyBond& bond) {
     const std::uint32_t particle = particle_at_[i.body][bond.j];
+    if (particle == none) return;
     while (next < found.size() && found[next].particle < particle) ++next;
     if (next == found.size() || found[next].particle != particle) return;
     const std::size_t row = family.stencil() ? bond.index : bond.index / fccda::byte_lanes - family.begin(eight);

@@ -7,17 +7,21 @@
 ///   bonds broke only near particles that had lost one before, where the list contains bonded pairs too.
 /// It is rebuilt in the step in which either condition fails. Surplus pairs do not affect results: pairs out of contact are skipped, and
 /// those in contact are summed in the order of body and slot.
+///
+/// In a run of several ranks a list has the pairs of this rank's own particles. Their other ends may belong to other ranks (ForeignParticles).
 #pragma once
 
 #include <algorithm>
 #include <cstdint>
 #include <limits>
+#include <optional>
 #include <span>
 #include <vector>
 
 #include "base/aligned.hpp"
 #include "perimpact/family/exposure.hpp"
 #include "perimpact/self_contact/contacting_body.hpp"
+#include "perimpact/self_contact/foreign_particles.hpp"
 #include "perimpact/self_contact/short_range_law.hpp"
 #include "perimpact/self_contact/wrapped_cells.hpp"
 
@@ -38,11 +42,17 @@ class NearPairs {
  public:
   /// A particle with pairs in the list.
   struct Member {
-    std::uint32_t body, slot;
-    Vec3d reference;         ///< [m] X
-    double size;             ///< [m] Δ_i
-    double volume;           ///< [m³]
-    std::uint32_t particle;  ///< index among all particles of all bodies
+    std::uint32_t body : 31, is_foreign : 1;
+    std::uint32_t slot;  ///< of a foreign particle: its index among these
+    Vec3d reference;     ///< [m] X
+    double size;         ///< [m] Δ_i
+    double volume;       ///< [m³]
+    std::uint64_t id;    ///< slot in the whole body, counted on over all bodies
+  };
+  /// What changes of a foreign particle in each step.
+  struct ForeignState {
+    Vec3d position, velocity;  ///< [m], [m/s]
+    std::uint64_t is_exposed;
   };
   /// The possible contacts of a member, by body and slot: its pairs without an intact bond. Packs of eight may be read.
   struct Pairs {
@@ -52,9 +62,14 @@ class NearPairs {
 
   NearPairs(const ShortRangeLaw& law, std::span<const ContactingBody> bodies);
 
-  /// Returns whether the list is out of date; to be called once per step. make() rebuilds it.
+  /// Returns whether the list is out of date; to be called once per step. make() rebuilds it. Both are collective.
   bool needs_new_list(std::span<const ContactingBody> bodies);
   void make(std::span<const ContactingBody> bodies);
+  /// Receives the state of foreign members from their owners; to be called in each step, after make(). Collective.
+  void refresh_foreign(std::span<const ContactingBody> bodies);
+  /// Calls set(foreign member, value) with value_of(member) of its owner; a member without pairs there has the value T{}. Collective.
+  template <class T, class ValueOf, class Set>
+  void refresh_members(const ValueOf& value_of, const Set& set) const;
   /// Forces a rebuild in the next step.
   void forget() { is_known_ = false; }
 
@@ -67,18 +82,29 @@ class NearPairs {
   Pairs pairs_of(std::size_t member) const { return {unbonded_counts_[member], others_.data() + first_pair_[member]}; }
   std::size_t first_pair(std::size_t member) const { return first_pair_[member]; }  ///< index of its first pair among all pairs, a multiple of eight
   std::size_t pair_count() const { return first_pair_.back(); }                     ///< including the padding after each member's pairs
-  std::size_t particle_count() const { return particles_.size(); }
-  bool is_exposed(const Member& member) const { return exposures_[member.body].is_exposed(member.slot); }
+  bool is_exposed(const Member& member) const {
+    return member.is_foreign ? foreign_states_[member.slot].is_exposed != 0 : exposures_[member.body].is_exposed(member.slot);
+  }
+  const ForeignState& foreign_state(const Member& member) const { return foreign_states_[member.slot]; }
+  /// The member of that id; nothing if it has no pairs here.
+  std::optional<std::size_t> member_of_id(std::uint64_t id) const;
+  int owner_of(std::uint64_t id) const;  ///< rank
+  Ranks& ranks() const { return shares_.front().ranks(); }
   std::size_t times_made() const { return times_made_; }
 
  private:
-  static constexpr std::uint32_t no_bond = std::numeric_limits<std::uint32_t>::max();
+  static constexpr std::uint32_t no_bond = std::numeric_limits<std::uint32_t>::max(), none = no_bond;
 
   struct Found {
     std::uint32_t particle, bond;
   };
   bool has_moved_by_skin(std::span<const ContactingBody> bodies);
+  void find_foreign(std::span<const ContactingBody> bodies);
   void mark_cells();
+  bool has_lost(const Member& particle) const {
+    return particle.is_foreign ? foreign_.all()[particle.slot].has_lost != 0 : exposures_[particle.body].has_lost(particle.slot);
+  }
+  std::size_t body_of(std::uint64_t id) const;
   double reach_of(const Member& i, const Member& j) const { return weight_reach * (law_.distance_ratio * (0.5 * (i.size + j.size))); }
   void find_of(std::size_t particle, std::span<const ContactingBody> bodies, std::vector<Found>& found) const;
   void name_bonds(std::size_t particle, std::span<const ContactingBody> bodies, std::span<Found> found) const;
@@ -86,13 +112,20 @@ class NearPairs {
   ShortRangeLaw law_;
   double skin_ = 0, longest_ = 0;  // [m] skin, contact distance
   std::vector<Exposure> exposures_;
+  std::vector<Share> shares_;             // of each body
+  std::vector<std::uint64_t> first_ids_;  // of each body
 
-  // of all particles of all bodies, by body and slot
+  // of all particles of all bodies, with those of other ranks, by id
   std::vector<Member> particles_;
   VectorArray reference_positions_;                      // [m] positions when the list was built
   Vec3d drift_{};                                        // [m] approximate common displacement since
   std::vector<std::uint8_t> near_damage_;                // near a particle that has lost a bond
-  std::vector<std::vector<std::uint32_t>> particle_at_;  // of body and slot
+  std::vector<std::uint32_t> member_of_;                 // none if it has no pairs
+  std::vector<std::vector<std::uint32_t>> particle_at_;  // of body and slot; none if the list does not concern it
+
+  ForeignParticles foreign_;
+  std::vector<ForeignState> foreign_states_;
+  std::vector<std::uint32_t> own_particles_, foreign_particles_;  // particle of each own and foreign one; empty in a run of one rank
 
   WrappedCells cells_;
   std::vector<std::uint8_t> cell_marks_;
@@ -106,6 +139,16 @@ class NearPairs {
   bool is_known_ = false;
   std::size_t times_made_ = 0;
 };
+
+template <class T, class ValueOf, class Set>
+void NearPairs::refresh_members(const ValueOf& value_of, const Set& set) const {
+  if (ranks().size() == 1) return;
+  const auto of_own = [&](std::size_t own) {
+    const std::uint32_t member = member_of_[own_particles_[own]];
+    return member == none ? T{} : value_of(std::size_t{member});
+  };
+  foreign_.refresh<T>(ranks(), of_own, [&](std::size_t foreign, const T& value) { set(std::size_t{member_of_[foreign_particles_[foreign]]}, value); });
+}
 
 template <class Inserted>
 void NearPairs::insert_broken(std::size_t member, std::span<const ContactingBody> bodies, const Inserted& inserted) {

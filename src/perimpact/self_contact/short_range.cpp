@@ -33,11 +33,13 @@ ShortRange::ShortRange(const ShortRangeLaw& law, std::span<const ContactingBody>
       face_(bodies.front().particles.is_plane() ? face_in_plane : face_in_space),
       is_plane_(bodies.front().particles.is_plane()),
       near_pairs_(law, bodies),
-      stiffness_(stiffness_of(bodies)),
-      threshold_(near_pairs_.particle_count(), face_.density) {
-  for (const ContactingBody& body : bodies) yield_pressure_.push_back(body.largest_pressure);
-  if (std::any_of(yield_pressure_.begin(), yield_pressure_.end(), [](double pressure) { return std::isfinite(pressure); }))
-    latest_pressure_.assign(threshold_.size(), 0.0);
+      stiffness_(stiffness_of(bodies)) {
+  for (const ContactingBody& body : bodies) {
+    yield_pressure_.push_back(body.largest_pressure);
+    threshold_.emplace_back(body.particles.slots(), face_.density);
+  }
+  if (std::ranges::any_of(yield_pressure_, [](double pressure) { return std::isfinite(pressure); }))
+    for (const ContactingBody& body : bodies) latest_pressure_.emplace_back(body.particles.slots(), 0.0);
 }
 
 void ShortRange::forget() {
@@ -51,21 +53,38 @@ void ShortRange::add_forces(std::span<const ContactingBody> bodies, double dt) {
     near_pairs_.make(bodies);
     rebuild_derived_pairs();
   }
+  near_pairs_.refresh_foreign(bodies);
   const auto members = near_pairs_.members();
   const auto for_each_member = [&](const auto& f) {
     fccda::parallel_for(static_cast<std::ptrdiff_t>(members.size()), [&](std::ptrdiff_t m) { f(static_cast<std::size_t>(m)); });
   };
+  const auto for_each_own = [&](const auto& f) {
+    for_each_member([&](std::size_t m) {
+      if (!members[m].is_foreign) f(m);
+    });
+  };
   for_each_member([&](std::size_t m) {
-    const Particles& particles = bodies[members[m].body].particles;
-    places_[m].position = particles.position.at(members[m].slot);
-    motions_[m].velocity = particles.velocity.at(members[m].slot);
+    if (members[m].is_foreign) {
+      const NearPairs::ForeignState& state = near_pairs_.foreign_state(members[m]);
+      places_[m].position = state.position, motions_[m].velocity = state.velocity;
+    } else {
+      const Particles& particles = bodies[members[m].body].particles;
+      places_[m].position = particles.position.at(members[m].slot), motions_[m].velocity = particles.velocity.at(members[m].slot);
+    }
   });
-  for_each_member([&](std::size_t m) { evaluate(m, bodies, dt); });
-  for_each_member([&](std::size_t m) { pair_sums_[m] = add_to(m, bodies, dt); });
+  for_each_own([&](std::size_t m) { evaluate(m, bodies, dt); });
+  near_pairs_.refresh_members<std::array<double, 2>>(
+      [&](std::size_t m) {
+        return std::array{pressure_[0][m], pressure_[1][m]};
+      },
+      [&](std::size_t m, const std::array<double, 2>& pressures) {
+        for (std::size_t whose = 0; whose < 2; ++whose) pressure_[whose][m] = pressures[whose];
+      });
+  for_each_own([&](std::size_t m) { pair_sums_[m] = add_to(m, bodies, dt); });
 
-  // members that are not in contact add zeros, so that the sums do not depend on the list
-  const auto eight_of = [&](std::size_t m) { return std::pair(members[m].body, members[m].slot / byte_lanes); };
-  const PairSum sum = exact_sum_over_eights(alone(), members.size(), eight_of, [&](std::size_t m) { return pair_sums_[m]; });
+  // members that are not in contact add zeros, so that the sums do not depend on the list; foreign ones do too
+  const auto eight_of = [&](std::size_t m) { return members[m].id / byte_lanes; };
+  const PairSum sum = exact_sum_over_eights(near_pairs_.ranks(), members.size(), eight_of, [&](std::size_t m) { return pair_sums_[m]; });
   energy_ = sum.energy;
   in_contact_now_ = static_cast<std::size_t>(sum.contacts) / 2;
   work_[0] += sum.friction_dissipation, work_[1] += sum.damped_work, work_[2] += sum.compaction;
@@ -132,13 +151,13 @@ void ShortRange::evaluate(std::size_t m, std::span<const ContactingBody> bodies,
   near_count_[m] = count;
 
   // bond failure causes no repulsion: the threshold increases with the density. It decreases with the density, never below that of two faces.
-  double& threshold = threshold_[i.particle];
+  double& threshold = threshold_of(i);
   const double old = own - fresh;
   threshold = std::max(face_.density, std::min(threshold, old));
   double overlap = std::max(0.0, old - threshold);
   if (yields()) {
     // the threshold yields such that the pressure is the largest; with the mean of the pressures before and after, the balance of leapfrog closes
-    double& latest = latest_pressure_[i.particle];
+    double& latest = latest_pressure_[i.body][i.slot];
     const double excess = std::max(0.0, overlap - largest_overlap_[m]);
     threshold += excess, overlap -= excess;
     const double now = density_stiffness_[0][m] * overlap;
@@ -325,12 +344,24 @@ void ShortRange::keep_pairs() {
     const NearPairs::Pairs pairs = near_pairs_.pairs_of(m);
     const std::size_t first = near_pairs_.first_pair(m);
     for (std::size_t n = 0; n < pairs.count; ++n) {
-      const std::uint32_t particle = members[m].particle, other = members[static_cast<std::size_t>(pairs.others[n])].particle;
-      if (!((is_near_[(first + n) / byte_lanes] >> (n % byte_lanes)) & 1u) || other < particle) continue;
-      kept_.ends.push_back(particle), kept_.ends.push_back(other);
+      const std::uint64_t id = members[m].id, other = members[static_cast<std::size_t>(pairs.others[n])].id;
+      if (!((is_near_[(first + n) / byte_lanes] >> (n % byte_lanes)) & 1u) || other < id) continue;
+      kept_.ends.push_back(id), kept_.ends.push_back(other);
       if (law_.friction > 0)
         for (std::size_t c = 0; c < 3; ++c) kept_.slips.push_back(slip_[c][first + n]);
     }
+  }
+}
+
+/// After a restart, from a state of all ranks.
+void ShortRange::discard_pairs_of_others() {
+  if (near_pairs_.ranks().size() == 1) return;
+  const Kept all = std::exchange(kept_, {});
+  for (std::size_t pair = 0; pair < all.size(); ++pair) {
+    if (near_pairs_.owner_of(all.ends[2 * pair]) != near_pairs_.ranks().rank()) continue;
+    kept_.ends.insert(kept_.ends.end(), {all.ends[2 * pair], all.ends[2 * pair + 1]});
+    const Vec3d slip = all.slip(pair);
+    if (!all.slips.empty()) kept_.slips.insert(kept_.slips.end(), {slip.x, slip.y, slip.z});
   }
 }
 
@@ -371,29 +402,43 @@ void ShortRange::rebuild_derived_pairs() {
     }
   }
 
-  std::vector<std::uint32_t> member_of(threshold_.size(), std::numeric_limits<std::uint32_t>::max());
-  for (std::size_t m = 0; m < members.size(); ++m) member_of[members[m].particle] = static_cast<std::uint32_t>(m);
-  for (std::size_t p = 0; p < threshold_.size(); ++p)
-    if (member_of[p] == std::numeric_limits<std::uint32_t>::max()) {  // no particle in range
-      threshold_[p] = face_.density;
-      if (yields()) latest_pressure_[p] = 0;
-    }
-  const auto give = [&](std::uint32_t from, std::uint32_t to, const Vec3d& slip) {
-    const std::uint32_t m = member_of[from], other = member_of[to];
-    if (m == std::numeric_limits<std::uint32_t>::max() || other == std::numeric_limits<std::uint32_t>::max()) return;
-    const NearPairs::Pairs pairs = near_pairs_.pairs_of(m);
+  reset_particles_out_of_range();
+  restore_pairs();
+}
+
+void ShortRange::reset_particles_out_of_range() {
+  const auto reset = [&](std::vector<std::vector<double>>& of_bodies, double value) {
+    std::vector<double> kept;
+    for (const NearPairs::Member& i : near_pairs_.members()) kept.push_back(i.is_foreign ? 0 : of_bodies[i.body][i.slot]);
+    for (std::vector<double>& of_body : of_bodies) std::ranges::fill(of_body, value);
+    for (std::size_t m = 0; m < kept.size(); ++m)
+      if (const NearPairs::Member& i = near_pairs_.members()[m]; !i.is_foreign) of_bodies[i.body][i.slot] = kept[m];
+  };
+  reset(threshold_, face_.density);
+  if (yields()) reset(latest_pressure_, 0);
+}
+
+void ShortRange::restore_pairs() {
+  const auto restore = [&](std::uint64_t from, std::uint64_t to, const Vec3d& slip) {
+    const auto m = near_pairs_.member_of_id(from), other = near_pairs_.member_of_id(to);
+    if (!m || !other) return;
+    const NearPairs::Pairs pairs = near_pairs_.pairs_of(*m);
     const std::int32_t* end = pairs.others + pairs.count;
-    const std::int32_t* found = std::lower_bound(pairs.others, end, static_cast<std::int32_t>(other));
-    if (found == end || *found != static_cast<std::int32_t>(other)) return;
-    const std::size_t pair = near_pairs_.first_pair(m) + static_cast<std::size_t>(found - pairs.others);
+    const std::int32_t* found = std::lower_bound(pairs.others, end, static_cast<std::int32_t>(*other));
+    if (found == end || *found != static_cast<std::int32_t>(*other)) return;
+    const std::size_t pair = near_pairs_.first_pair(*m) + static_cast<std::size_t>(found - pairs.others);
     const auto bit = static_cast<std::uint8_t>(1u << pair % byte_lanes);
     is_near_[pair / byte_lanes] = static_cast<std::uint8_t>(is_near_[pair / byte_lanes] | bit);
     if (law_.friction > 0) set_slip(pair, slip);
   };
-  for (std::size_t k = 0; 2 * k < kept_.ends.size(); ++k) {
-    const Vec3d slip = law_.friction > 0 ? Vec3d{kept_.slips[3 * k], kept_.slips[3 * k + 1], kept_.slips[3 * k + 2]} : Vec3d{};
-    give(kept_.ends[2 * k], kept_.ends[2 * k + 1], slip), give(kept_.ends[2 * k + 1], kept_.ends[2 * k], -slip);
+  ListsByRank<SentPair> sent;
+  for (std::size_t pair = 0; pair < kept_.size(); ++pair) {
+    const std::array<std::uint64_t, 2> ends = {kept_.ends[2 * pair], kept_.ends[2 * pair + 1]};
+    restore(ends[0], ends[1], kept_.slip(pair)), restore(ends[1], ends[0], -kept_.slip(pair));
+    if (const int owner = near_pairs_.owner_of(ends[1]); owner != near_pairs_.ranks().rank()) sent[owner].push_back({ends, kept_.slip(pair)});
   }
+  for (const auto& [from, pairs] : exchange_lists(near_pairs_.ranks(), sent))
+    for (const SentPair& pair : pairs) restore(pair.ends[1], pair.ends[0], -pair.slip);
   kept_ = {};
   is_kept_ = false;
 }
@@ -405,7 +450,7 @@ ShortRange::Bound ShortRange::bound(std::span<const ContactingBody> bodies, std:
   const auto largest = [](const Particles& particles) {
     Largest found;
     for (const std::uint32_t slot : particles.slot_of()) found = {std::max(found.volume, particles.volume(slot)), std::max(found.mass, particles.mass(slot))};
-    return found;
+    return Largest{particles.share().ranks().max(found.volume), particles.share().ranks().max(found.mass)};
   };
   const Largest own = largest(bodies[b].particles);
   Bound bound{};

@@ -4,6 +4,8 @@
 /// Each particle sums its pairs in the order of body and slot and writes only to itself, so that results are bitwise reproducible across
 /// thread counts. Forces of a pair are equal and opposite, so that linear momentum is conserved to rounding; without friction angular momentum
 /// is too, since the force is central.
+///
+/// In a run of several ranks each rank evaluates its own particles, and receives positions, velocities and pressures of those of others that they are near.
 #pragma once
 
 #include <array>
@@ -12,6 +14,7 @@
 #include <string>
 #include <vector>
 
+#include "perimpact/particles/shared_numbers.hpp"
 #include "perimpact/self_contact/near_pairs.hpp"
 
 namespace perimpact {
@@ -43,12 +46,16 @@ class ShortRange {
   /// State: density thresholds raised by bond failure and compaction, the latest pressures of bodies that are compacted, and the pairs in range with their
   /// tangential springs.
   template <class Visitor>
-  void visit_state(Visitor&& visit) {
+  void visit_state(std::span<const ContactingBody> bodies, Visitor&& visit) {
     keep_pairs();
-    visit("threshold", std::span<double>(threshold_));
-    visit("latest_pressure", std::span<double>(latest_pressure_));
+    for (std::size_t b = 0; b < bodies.size(); ++b) {
+      const std::string body = std::to_string(b);
+      visit(body + ".threshold", EightNumbers(std::span<double>(threshold_[b]), bodies[b].particles));
+      if (yields()) visit(body + ".latest_pressure", EightNumbers(std::span<double>(latest_pressure_[b]), bodies[b].particles));
+    }
     visit("pair_ends", kept_.ends);
     visit("pair_slips", kept_.slips);
+    discard_pairs_of_others();
     near_pairs_.forget();
   }
 
@@ -73,10 +80,19 @@ class ShortRange {
   };
   /// One value per member for contact with its own body, and one for contact with others.
   using OwnAndOthers = std::array<fccda::AlignedVector<double>, 2>;
-  /// Pairs of the last evaluation within the support of the weight function, as two particles each, lower index first, in order.
+  /// Pairs of the last evaluation within the support of the weight function, as ids of two particles each, lower id first, in order. Those whose first
+  /// particle belongs to this rank.
   struct Kept {
-    std::vector<std::uint32_t> ends;  // two each
+    std::vector<std::uint64_t> ends;  // two each
     std::vector<double> slips;        // [m] three each where there is friction
+
+    std::size_t size() const { return ends.size() / 2; }
+    Vec3d slip(std::size_t pair) const { return slips.empty() ? Vec3d{} : Vec3d{slips[3 * pair], slips[3 * pair + 1], slips[3 * pair + 2]}; }
+  };
+  /// A pair on its way to the rank of its second particle.
+  struct SentPair {
+    std::array<std::uint64_t, 2> ends;
+    Vec3d slip;
   };
 
   // rows of four numbers, for gather_rows()
@@ -108,8 +124,12 @@ class ShortRange {
   void set_slip(std::size_t pair, const Vec3d& slip) {
     for (std::size_t c = 0; c < 3; ++c) slip_[c][pair] = slip[c];
   }
+  double& threshold_of(const NearPairs::Member& i) { return threshold_[i.body][i.slot]; }
   void keep_pairs();
+  void discard_pairs_of_others();
   void rebuild_derived_pairs();
+  void reset_particles_out_of_range();
+  void restore_pairs();
   template <class T>
   T distance_of(T size_i, T size_j) const {
     return T(law_.distance_ratio) * (T(0.5) * (size_i + size_j));
@@ -124,10 +144,9 @@ class ShortRange {
   Face face_;
   bool is_plane_;
   NearPairs near_pairs_;
-  std::vector<std::array<double, 2>> stiffness_;  // [N/m⁷] of each body, for contact with itself and with others
-  std::vector<double> threshold_;                 // b of each particle for contact with its own body
-  std::vector<double> yield_pressure_;            // [Pa] of each body
-  std::vector<double> latest_pressure_;           // [J] B o of each particle in its own body, if one yields
+  std::vector<std::array<double, 2>> stiffness_;                  // [N/m⁷] of each body, for contact with itself and with others
+  std::vector<double> yield_pressure_;                            // [Pa] of each body
+  std::vector<std::vector<double>> threshold_, latest_pressure_;  // b of each body and slot for contact with its own body; [J] B o, if one body yields
   Kept kept_;
   bool is_kept_ = false;  // stored in kept_, not yet assigned to pairs
 

@@ -17,7 +17,6 @@
 #include "perimpact/family/stencil.hpp"
 #include "perimpact/integrate/stable_step.hpp"
 #include "perimpact/materials/internal_force.hpp"
-#include "perimpact/particles/partition.hpp"
 #include "perimpact/self_contact/near_pairs.hpp"
 #include "perimpact/simulation/sample_block.hpp"
 
@@ -112,7 +111,7 @@ double rubble_of(const BodySetup& setup, const FragmentContactSetup& fragments) 
   const double listed = (setup.is_plane() ? 20 : 80) * std::pow((2 * fragments.distance_ratio + 0.5) / 2.5, dimension);
   const double near = (setup.is_plane() ? 8 : 26) * std::pow(fragments.distance_ratio, dimension);
   const double pair = (fragments.friction > 0 ? 4.25 : 3.25) * slot_number + of_pair, gap = 4 * pair, found = 2 * slot_number,
-               kept = 2 * slot_number + of_pair;  // stored once per pair
+               kept = 2 * number + of_pair;  // stored once per pair
   const double member = 3 * vector + 17 * number;
   return listed * (pair + found) + gap + near / 2 * kept + member;
 }
@@ -154,10 +153,10 @@ BodyMemory memory_of(const Setup& setup, const BodySetup& body, const Discretisa
     memory.picture = std::max(3 * sizeof(float) * p + 19 * p, may_break ? 2 * slot_number * n : 0) + (may_break ? slot_number * p : 0);
   if (setup.output.frames > 0 && setup.output.frame_particles) memory.picture += 2 * slot_number * p;  // numbers of the particles, kept and of a frame
   if (setup.contact.fragments.law.as<FragmentLaw>() != FragmentLaw::none) {
-    // near_pairs.hpp and short_range.hpp: particle, reference position, mark, threshold, cell, point and position in its cell; surfaces, particle of a slot,
-    // broken ends of eights
+    // near_pairs.hpp and short_range.hpp: particle, reference position, mark, member, cell, point and position in its cell; threshold, surfaces, particle of a
+    // slot, broken ends of eights
     memory.fragments =
-        (sizeof(NearPairs::Member) + vector + 1 + number + 2 * slot_number + vector) * p + (1 + 2 + slot_number + sizeof(std::uint32_t) / lanes) * n;
+        (sizeof(NearPairs::Member) + vector + 1 + 3 * slot_number + vector) * p + (number + 1 + 2 + slot_number + sizeof(std::uint32_t) / lanes) * n;
     memory.rubble = rubble_of(body, setup.contact.fragments) * n;
   }
   return memory;
@@ -185,28 +184,32 @@ Memory sum_of(std::span<const BodyMemory> bodies) {
 }  // namespace
 
 void Memory::reduce_to(double share) {
-  const double others = at_rest - std::accumulate(of_bodies.begin(), of_bodies.end(), 0.0);
+  double alike = program;  // on every rank
+  for (const OfSurface& surface : of_surfaces) alike += surface.bytes;
+  at_rest = alike + share * (at_rest - alike);
   for (double& of_body : of_bodies) of_body *= share;
-  at_rest = others + std::accumulate(of_bodies.begin(), of_bodies.end(), 0.0);
   setting_up *= share;
+  rubble *= share;
+}
+
+double share_of_slots(const Lattice& whole, const CellBox& cells) {
+  Lattice own = whole;
+  for (std::size_t axis = 0; axis < 3; ++axis) own.cells[axis] = cells.size(axis);
+  return static_cast<double>(own.slots()) / static_cast<double>(whole.slots());
 }
 
 double share_of_memory(const Setup& setup, std::span<const Discretisation> bodies, const Ranks& ranks) {
   if (ranks.size() == 1) return 1;
   double largest = 0;
+  RanksInTurn in_turn(ranks.size());
   for (std::size_t b = 0; b < bodies.size(); ++b) {
     const auto* solid = std::get_if<BodySolid>(&bodies[b]);
     if (!solid) return 1;
     const Lattice whole = lattice_that_fills(setup.bodies[b], *solid);
-    const int reach = Stencil(setup.bodies[b].family.as<FamilyRule>(), whole.spacing, setup.bodies[b].horizon_ratio, whole.thickness).reach();
-    const std::vector<CellBox> boxes = partition({whole.cells, reach, keeps_columns(setup.bodies[b])}, ranks.size());
-    const auto rank = static_cast<std::size_t>(ranks.rank());
-    if (rank >= boxes.size()) continue;  // refused when the body is built
-    constexpr int eight = fccda::byte_lanes;
-    const CellBox local = intersection(boxes[rank].grown({(reach + eight - 1) / eight * eight, reach, reach}), {{0, 0, 0}, whole.cells});
-    Lattice own = whole;
-    for (std::size_t axis = 0; axis < 3; ++axis) own.cells[axis] = local.size(axis);
-    largest = std::max(largest, static_cast<double>(own.slots()) / static_cast<double>(whole.slots()));
+    const PartitionRule rule = partition_rule_of(setup.bodies[b], whole);
+    const std::vector<CellBox> boxes = boxes_of_ranks(rule, ranks.size(), in_turn.first_rank());
+    in_turn.add(count_parts(boxes));
+    largest = std::max(largest, share_of_slots(whole, with_ghosts(boxes[static_cast<std::size_t>(ranks.rank())], rule)));
   }
   return largest;
 }

@@ -7,6 +7,7 @@
 #include "mesh/surface.hpp"
 #include "perimpact/deck_model/setup.hpp"
 #include "perimpact/discretisation/discretise.hpp"
+#include "perimpact/particles/partition.hpp"
 #include "perimpact/ranks/ranks.hpp"
 #include "perimpact/simulation/available_memory.hpp"
 
@@ -34,12 +35,15 @@ struct Memory {
 
   double peak() const;  ///< without rubble
 
-  /// Reduces what the bodies need to this share. Frames are gathered by one rank.
+  /// Reduces what the particles of the bodies need to this share; surfaces are on every rank. Frames are gathered by one rank.
   void reduce_to(double share);
 };
 
 /// `bodies`: discretisation of each. The bonds of a point cloud are estimated from a sample of its particles. Surfaces are to be added when they are known.
 Memory memory_of(const Setup& setup, std::span<const Discretisation> bodies);
+
+/// Slots of a lattice of these cells over those of the whole.
+double share_of_slots(const Lattice& whole, const CellBox& cells);
 
 /// Share of the memory of the bodies that this rank needs: of the largest share of slots in any of them, with ghosts.
 double share_of_memory(const Setup& setup, std::span<const Discretisation> bodies, const Ranks& ranks);

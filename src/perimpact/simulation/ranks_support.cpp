@@ -18,13 +18,19 @@ namespace {
 
 }  // namespace
 
-void expect_supported_by(const Ranks& ranks, const Setup& setup) {
-  if (ranks.size() == 1) return;
-  if (setup.contact.fragments.law.as<FragmentLaw>() != FragmentLaw::none) refuse("contact.fragments", "contact between fragments and bodies is");
+void expect_supported_by(int ranks, const Setup& setup) {
+  if (ranks == 1) return;
   for (const BodySetup& body : setup.bodies) {
     const std::string key = "bodies." + body.name;
     if (is_cloud(body)) refuse(key + ".shape", "bodies from a file of particles are");
   }
+}
+
+void expect_parts_for_all(const RanksInTurn& in_turn) {
+  if (!in_turn.all_have_parts())
+    throw SetupError("bodies", fmt::format("{} ranks are too many: the bodies can be divided among at most {}, since lattices are cut across x at multiples of "
+                                           "eight cells only. Use fewer.",
+                                           in_turn.ranks(), in_turn.parts()));
 }
 
 }  // namespace perimpact

@@ -15,6 +15,9 @@ const Body* body_of_points(std::string_view name, std::span<const Body> bodies) 
   return error == std::errc() && end == number.data() + number.size() && body < bodies.size() ? &bodies[body] : nullptr;
 }
 
+bool is_ends_of_pairs(std::string_view name) { return name == "fragments.pair_ends"; }
+bool is_slips_of_pairs(std::string_view name) { return name == "fragments.pair_slips"; }
+
 bool is_counter_of_work(std::string_view name) {
   return name.ends_with(".points_in_bounds") || name.ends_with(".points_tested") || name.ends_with(".panels_tested") || name.ends_with(".entered_inside");
 }

@@ -4,10 +4,12 @@
 
 #include <algorithm>
 #include <cstdint>
+#include <numeric>
 #include <span>
 #include <string>
 #include <string_view>
 #include <type_traits>
+#include <utility>
 #include <vector>
 
 #include "base/state.hpp"
@@ -19,6 +21,9 @@ namespace perimpact {
 
 /// The body of a list of points of a detector, "<impactor>.<body>.points_inside" and the like; null for other names.
 const Body* body_of_points(std::string_view name, std::span<const Body> bodies);
+/// True for the lists of pairs in contact, two ids each, and of the slips of these pairs.
+bool is_ends_of_pairs(std::string_view name);
+bool is_slips_of_pairs(std::string_view name);
 /// True for counters that each rank has of its own work.
 bool is_counter_of_work(std::string_view name);
 
@@ -43,6 +48,14 @@ class GatheredState {
       points = ranks_.join_all(std::span<const T>(points));
       std::ranges::sort(points);
       pass(name, std::move(points));
+    } else if (is_ends_of_pairs(name)) {
+      const std::vector<T> ends = ranks_.join(std::span<const T>(numbers));
+      order_of_pairs_.resize(ends.size() / 2);
+      std::iota(order_of_pairs_.begin(), order_of_pairs_.end(), std::size_t{0});
+      std::ranges::sort(order_of_pairs_, {}, [&](std::size_t pair) { return std::pair(ends[2 * pair], ends[2 * pair + 1]); });
+      pass(name, in_order_of_pairs(ends));
+    } else if (is_slips_of_pairs(name)) {  // visited after their ends
+      pass(name, in_order_of_pairs(ranks_.join(std::span<const T>(numbers))));
     } else if (is_counter_of_work(name)) {
       std::vector<T> sums;
       for (const T number : numbers) sums.push_back(static_cast<T>(ranks_.sum(static_cast<std::int64_t>(number))));
@@ -58,9 +71,21 @@ class GatheredState {
     if (ranks_.is_root()) sink_(name, std::span<T>(whole));
   }
 
+  template <class T>
+  std::vector<T> in_order_of_pairs(const std::vector<T>& joined) const {
+    std::vector<T> sorted;
+    sorted.reserve(joined.size());
+    const std::size_t per_pair = order_of_pairs_.empty() ? 0 : joined.size() / order_of_pairs_.size();
+    for (const std::size_t pair : order_of_pairs_)
+      sorted.insert(sorted.end(), joined.begin() + static_cast<std::ptrdiff_t>(pair * per_pair),
+                    joined.begin() + static_cast<std::ptrdiff_t>((pair + 1) * per_pair));
+    return sorted;
+  }
+
   std::span<const Body> bodies_;
   Ranks& ranks_;
   Sink sink_;
+  std::vector<std::size_t> order_of_pairs_;
 };
 
 /// Adds this rank's terms of the hash of the whole run. Collective.

@@ -18,7 +18,7 @@ ShortRangeLaw law_of(const FragmentContactSetup& setup) {
 /// Contact acts along the line between particles, which must stay in the plane of a plane body.
 void expect_one_plane(std::span<const Body> bodies) {
   constexpr const char* key = "contact.fragments.law";
-  const auto height = [](const Body& body) { return body.particles.reference(body.particles.slot_of().front()).z; };
+  const auto height = [](const Body& body) { return body.particles.reference(0).z; };
   for (const Body& body : bodies) {
     const Body& first = bodies.front();
     if (body.particles.is_plane() != first.particles.is_plane())

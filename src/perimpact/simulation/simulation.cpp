@@ -217,6 +217,13 @@ Simulation::Simulation(const Setup& setup, Start start, std::vector<UserForceOnB
 }
 
 void Simulation::step(const KeepRelaxing& keep_on) {
+  const Traffic before = ranks_->traffic();
+  perform_step(keep_on);
+  Traffic sent = ranks_->traffic();
+  traffic_of_steps_ += sent -= before;
+}
+
+void Simulation::perform_step(const KeepRelaxing& keep_on) {
   if (!windows_.empty()) timers_.timed("moving_window", [&] { move_windows(); });
   ++clock_.step;
   if (relaxation_) return relax(keep_on);
@@ -226,12 +233,22 @@ void Simulation::step(const KeepRelaxing& keep_on) {
     end_load_interval();
   });
   if (ranks_->size() > 1) timers_.timed("ghosts", [&] { refresh_ghosts(); });
-  timers_.timed("forces", [&] { compute_bond_forces(); });
-  if (fragments_) timers_.timed("fragments", [&] { add_short_range_forces(); });
+  time_forces("forces", [&] { compute_bond_forces(); });
+  if (fragments_) time_forces("fragments", [&] { add_short_range_forces(); });
   timers_.timed("boundary_conditions", [&] { apply_boundary_conditions(); });
   timers_.timed("monitors", [&] {
     if (monitors_.samples_step(clock_)) sample_monitors();
   });
+}
+
+void Simulation::time_forces(std::string_view phase, const std::function<void()>& compute) {
+  const double before = ranks_->traffic().seconds;
+  timers_.timed(phase, compute);
+  waiting_in_forces_ += ranks_->traffic().seconds - before;
+}
+
+double Simulation::seconds_of_forces() const {
+  return timers_.seconds("forces") + timers_.seconds("fragments") + timers_.seconds("relax") - waiting_in_forces_;
 }
 
 // After rows of the history: the next interval of panel loads has not begun, so that no particle in contact in it is discarded.
@@ -253,9 +270,12 @@ void Simulation::move_window(MovingWindow& window, long moves) {
   rebuild(window);
   const std::size_t b = window.body();
   const Body& body = bodies_[b];
-  std::size_t particles_before = 0;
-  for (std::size_t before = 0; before < b; ++before) particles_before += bodies_[before].particles.size();
-  MovedState moved(captured, {body.name, b, particles_before, window.cells_of(moves), body.particles, body.family});
+  std::size_t slots_before = 0;
+  for (std::size_t before = 0; before < b; ++before) {
+    const Particles& particles = bodies_[before].particles;
+    slots_before += particles.whole_lattice() ? particles.whole_lattice()->slots() : particles.slots();
+  }
+  MovedState moved(captured, {body.name, b, slots_before, window.cells_of(moves), body.particles, body.family});
   visit_all(moved);
   boundary_conditions_[b].restart_potentials();
   for (Impactor& impactor : impactors_) impactor.forget_distances(b);
@@ -346,7 +366,7 @@ void Simulation::apply_boundary_conditions() {
 
 void Simulation::relax(const KeepRelaxing& keep_on) {
   std::optional<std::vector<double>> energy;
-  timers_.timed("relax", [&] { energy = relaxation_->relax(bodies_, boundary_conditions_, clock_.step, clock_.time(), keep_on); });
+  time_forces("relax", [&] { energy = relaxation_->relax(bodies_, boundary_conditions_, clock_.step, clock_.time(), keep_on); });
   if (!energy) {
     --clock_.step;
     return;

@@ -20,6 +20,7 @@
 #include "perimpact/moving_window/moving_window.hpp"
 #include "perimpact/self_contact/short_range.hpp"
 #include "perimpact/simulation/shared_state.hpp"
+#include "perimpact/simulation/short_range_of.hpp"
 #include "perimpact/simulation/start.hpp"
 
 namespace perimpact {
@@ -57,6 +58,8 @@ class Simulation {
   const std::vector<std::string>& warnings() const { return warnings_; }                              ///< before the run
   std::vector<std::string> closing_warnings() const;                                                  ///< at the end of the run
   const fccda::Timers& timers() const { return timers_; }                                             ///< of the phases of a step
+  const Traffic& traffic_of_steps() const { return traffic_of_steps_; }                               ///< of this rank in step(), where it is counted
+  double seconds_of_forces() const;                                                                   ///< [s] in the phases of force, without waiting for ranks
   const fccda::Timers& set_up_timers() const { return stages_.timers(); }                             ///< of the stages of the set-up
   std::span<const InitialPenetration> initial_penetrations() const { return initial_penetrations_; }  ///< removed, or projected onto a surface
   std::span<const Body> bodies() const { return bodies_; }
@@ -124,12 +127,14 @@ class Simulation {
     for (Body& body : bodies_) body.visit_state(visit);
     for (BoundaryConditions& boundary_conditions : boundary_conditions_) boundary_conditions.visit_state(visit);
     for (Impactor& impactor : impactors_) impactor.visit_state(visit);
-    if (fragments_) fragments_->visit_state(fccda::under("fragments", visit));
+    if (fragments_) fragments_->visit_state(contacting_bodies(setup_, bodies_), fccda::under("fragments", visit));
     if (relaxation_) relaxation_->visit_state(fccda::under("relaxation", visit));
   }
   void move_windows();
   void move_window(MovingWindow& window, long moves);
   void rebuild(const MovingWindow& window);
+  void perform_step(const KeepRelaxing& keep_on);
+  void time_forces(std::string_view phase, const std::function<void()>& compute);
   void advance_bodies();
   void resolve_impactor_contact();
   std::vector<std::size_t> resolve_body(std::size_t body, ContactParticles& particles);  // number of unresolved penetrations per impactor
@@ -160,6 +165,8 @@ class Simulation {
   Monitors monitors_;
   ProximityMonitor proximity_;
   fccda::Timers timers_;
+  Traffic traffic_of_steps_;
+  double waiting_in_forces_ = 0;  // [s]
 };
 
 }  // namespace perimpact

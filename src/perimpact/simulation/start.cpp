@@ -16,10 +16,13 @@ namespace {
 
 std::vector<Particles> fill(const Setup& setup, std::span<const Discretisation> bodies, fccda::Stages& stages, Ranks& ranks) {
   std::vector<Particles> particles;
+  RanksInTurn in_turn(ranks.size());
   for (std::size_t b = 0; b < bodies.size(); ++b) {
     stages.begin("particles", setup.bodies[b].name);
-    particles.push_back(make_particles(setup.bodies[b], bodies[b], ranks));
+    const Share& share = particles.emplace_back(make_particles(setup.bodies[b], bodies[b], ranks, in_turn.first_rank())).share();
+    in_turn.add(share.is_whole() ? ranks.size() : share.parts());
   }
+  expect_parts_for_all(in_turn);
   return particles;
 }
 
@@ -140,7 +143,8 @@ Start::Read Start::read(const Setup& setup, fccda::Stages& stages, const Ranks& 
   return all;
 }
 
-Start::Start(const Setup& setup, fccda::Stages given, Ranks& all) : Start(setup, given, (expect_supported_by(all, setup), read(setup, given, all)), all) {}
+Start::Start(const Setup& setup, fccda::Stages given, Ranks& all)
+    : Start(setup, given, (expect_supported_by(all.size(), setup), read(setup, given, all)), all) {}
 
 Start::Start(const Setup& setup, fccda::Stages& given, Read read, Ranks& all)
     : ranks(&all),

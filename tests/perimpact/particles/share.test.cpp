@@ -193,13 +193,23 @@ TEST_CASE("share: a shift takes the numbers of the cells further on from whichev
       }
 }
 
-TEST_CASE("share: columns are kept whole on request, and more ranks than blocks of cells are refused in a sentence") {
+TEST_CASE("share: columns are kept whole on request, and a body of few blocks of cells is divided among that many ranks, from the first given one on") {
   const Lattice sheet{.cells = {16, 12, 8}, .spacing = 1};
   run_in_process(4, [&](Ranks& ranks) { REQUIRE(Share(ranks, sheet, 3, true).owned().size(2) == 8); });
   const Lattice small{.cells = {8, 2, 1}, .spacing = 1};
-  CHECK_THROWS_WITH_AS(run_in_process(3, [&](Ranks& ranks) { Share(ranks, small, 1, false); }),
-                       "the lattice of 8 x 2 x 1 cells can be divided among at most 2 ranks, since cuts across x are at multiples of eight cells; use fewer",
-                       fccda::InputError);
+  run_in_process(4, [&](Ranks& ranks) {
+    const Share share(ranks, small, 1, false, 3);
+    REQUIRE(share.parts() == 2);
+    const bool is_owner = ranks.rank() == 3 || ranks.rank() == 0;
+    REQUIRE(share.owned().cells() == (is_owner ? 8 : 0));
+    REQUIRE(share.peers() == (is_owner ? 1 : 0));
+    REQUIRE(share.owner_of(0) == 3);
+    REQUIRE(share.owner_of(8) == 0);
+    std::vector<double> values(share.lattice().slots(), ranks.rank());
+    share.refresh({values.data()});
+    const std::vector<double> gathered = share.gather(std::span<const double>(values), 8);
+    if (ranks.is_root()) REQUIRE(gathered == std::vector<double>{3, 3, 3, 3, 3, 3, 3, 3, 0, 0, 0, 0, 0, 0, 0, 0});
+  });
 }
 
 }  // namespace perimpact

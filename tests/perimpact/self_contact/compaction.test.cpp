@@ -59,7 +59,15 @@ class Rubble {
     return force / std::pow(stretch * spacing, 2);
   }
 
-  ShortRange& contact() { return *contact_; }
+  const ShortRange& contact() const { return *contact_; }
+  template <class Visitor>
+  void visit_state(Visitor&& visit) {
+    contact_->visit_state(contacts_, visit);
+  }
+  template <class Visitor>
+  void visit_record(Visitor&& visit) {
+    contact_->visit_record(visit);
+  }
   double stretch() const { return stretch_; }  // of the last step
   void place(double stretch) {
     for (const std::uint32_t slot : body().particles.slot_of()) body().particles.position.set(slot, stretch * body().particles.reference(slot));
@@ -134,11 +142,11 @@ TEST_CASE("compaction: a state that is resumed continues bitwise") {
   for (int step = 0; step < 100; ++step) {
     const double stretch = 1.3 - 0.003 * step + 0.02 * std::sin(0.4 * step);
     if (step % 7 == 3) {
-      const fixtures::Snapshot snapshot(resumed->contact());
+      const fixtures::Snapshot snapshot(*resumed);
       const double place = resumed->stretch();
       resumed.emplace(strength);
       resumed->place(place);
-      snapshot.give(resumed->contact());
+      snapshot.give(*resumed);
     }
     whole.compress(stretch), resumed->compress(stretch);
     REQUIRE(resumed->contact().energy() == whole.contact().energy());

@@ -28,6 +28,7 @@ struct Whole {
   std::size_t contacts = 0;
   std::uint64_t hash = 0;
   std::vector<double> row;  // the last of the history
+  std::map<std::string, std::size_t> columns;
 };
 
 void add_state(const Simulation& simulation, Whole& whole, std::mutex& mutex) {
@@ -62,6 +63,7 @@ void add_state(const Simulation& simulation, Whole& whole, std::mutex& mutex) {
   }
   whole.contacts = simulation.contacts();
   whole.row.assign(simulation.monitors().row().begin(), simulation.monitors().row().end());
+  for (const Column& column : simulation.monitors().columns()) whole.columns.emplace(column.heading(), whole.columns.size());
 }
 
 Whole after(const Setup& setup, int ranks) {
@@ -111,6 +113,25 @@ Setup plate(const fixtures::BodyOptions& options = {}) {
   cylinder.free_dofs = {"x", "y", "rz"};
   setup.impactors = {cylinder};
   setup.contact.impactors.friction = 0.2;
+  return setup;
+}
+
+/// A block of finer particles, with a pole on the far side of a plate, shatters it; fragments slide, are damped and fly into the territory of other ranks.
+Setup rubble(const fixtures::BodyOptions& options = {}) {
+  Setup setup;
+  setup.time = {.end = 24e-6, .step = 2e-7};
+  const bool plane = options.plane != Plane::none;
+  const auto body = [&](const char* name, const Vec3d& size, const Vec3d& position, const Vec3d& velocity, double spacing) {
+    fixtures::BodyOptions its = options;
+    its.size = {size.x, size.y, plane ? 0.002 : size.z}, its.spacing = spacing;
+    BodySetup setup_of_body = fixtures::body_setup(its);
+    setup_of_body.name = name, setup_of_body.position = {position.x, position.y, plane ? 0 : position.z}, setup_of_body.velocity = velocity;
+    return setup_of_body;
+  };
+  setup.bodies = {body("plate", {0.064, 0.016, 0.012}, {}, {}, 0.002), body("bullet", {0.012, 0.012, 0.006}, {0.003, 0.0145, 0.001}, {30, -500, 0}, 0.001),
+                  body("pole", {0.016, 0.008, 0.012}, {0.004, -0.0122, 0}, {}, 0.002)};
+  setup.contact.fragments.law.index = static_cast<int>(FragmentLaw::repulsive);
+  setup.contact.fragments.friction = 0.2;
   return setup;
 }
 
@@ -237,6 +258,118 @@ TEST_CASE("ranks: a floating sheet with a dry top and drag, between fixed and ab
   for (const int ranks : counts) {
     CAPTURE(ranks);
     check_equal(one, after(setup, ranks));
+  }
+}
+
+TEST_CASE("ranks: contact between fragments and bodies, with friction and restitution, in space and in a plane, is that of one rank") {
+  for (const Plane plane : {Plane::none, Plane::strain})
+    for (const double restitution : plane == Plane::none ? std::vector{0.7} : std::vector{1.0, 0.7}) {
+      Setup setup = rubble({.critical_stretch = 2e-3, .plane = plane});
+      setup.contact.fragments.restitution = restitution;
+      const Whole one = after(setup, 1);
+      for (const WholeBody& body : one.bodies) CHECK(std::count(body.bonds.begin(), body.bonds.end(), 0) > 100);
+      const auto column = [&](const char* name) { return one.row.at(one.columns.at(name)); };
+      CHECK(column("total.friction_dissipation [J]") > 0.1);
+      CHECK((restitution == 1 || column("total.dashpot_dissipation [J]") > 0.1));
+      for (const int ranks : {2, 3, 7}) {
+        CAPTURE(ranks);
+        CAPTURE(restitution);
+        CAPTURE(static_cast<int>(plane));
+        check_equal(one, after(setup, ranks));
+      }
+    }
+}
+
+TEST_CASE("ranks: pairs of particles in range are those of one rank in every step, also where particles become exposed that had no bond to others in range") {
+  Setup setup = rubble({.critical_stretch = 2e-3});
+  setup.time = {.end = 10e-6, .step = 1e-7};
+  for (BodySetup& body : setup.bodies) body.horizon_ratio = 1.6, body.family.index = static_cast<int>(FamilyRule::madenci_oterkus);
+  const auto hashes_of = [&](int ranks) {
+    std::vector<std::uint64_t> hashes;
+    run_in_process(ranks, [&](Ranks& its) {
+      Simulation simulation(setup, {}, its);
+      while (!simulation.clock().is_finished()) {
+        simulation.step();
+        if (simulation.clock().step % 5 != 0) continue;  // a hash discards the list of pairs, in which exposed particles are marked
+        const std::uint64_t hash = simulation.state_hash();
+        if (its.is_root()) hashes.push_back(hash);
+      }
+    });
+    return hashes;
+  };
+  const std::vector<std::uint64_t> expected = hashes_of(1);
+  for (const int ranks : {2, 7}) {
+    CAPTURE(ranks);
+    CHECK(hashes_of(ranks) == expected);
+  }
+}
+
+TEST_CASE("ranks: fragments that yield are compacted as with one rank") {
+  Setup setup = rubble({.critical_stretch = 2e-3});
+  for (BodySetup& body : setup.bodies) std::get<OrdinaryStateSetup>(body.material).plasticity.emplace().compressive_strength = 400e6;
+  setup.contact.fragments.friction = 0;
+  const Whole one = after(setup, 1);
+  CHECK(one.row.at(one.columns.at("total.compaction_dissipation [J]")) > 0.1);
+  for (const int ranks : {4, 5}) {
+    CAPTURE(ranks);
+    check_equal(one, after(setup, ranks));
+  }
+}
+
+TEST_CASE("ranks: a body that flies through the territory of other ranks meets the particles of each") {
+  // along the plate, which is divided across its length: no rank of a particle in contact is a neighbour on the lattice
+  Setup setup = rubble({.critical_stretch = 0.02});
+  setup.time.end = 70e-6;
+  setup.bodies.pop_back();
+  setup.bodies[1].position = {-0.041, 0.0003, 0.0002}, setup.bodies[1].velocity = {900, 0, 0};
+  const Whole one = after(setup, 1);
+  CHECK(std::count(one.bodies[0].bonds.begin(), one.bodies[0].bonds.end(), 0) > 1000);
+  for (const int ranks : {4, 8}) {
+    CAPTURE(ranks);
+    check_equal(one, after(setup, ranks));
+  }
+}
+
+TEST_CASE("ranks: contact between fragments continues bitwise when its list of pairs is discarded, and from the state of another number of ranks") {
+  const Setup setup = rubble({.critical_stretch = 2e-3});
+  const std::uint64_t expected = after(setup, 1).hash;
+  for (const int from : {1, 3}) {
+    std::map<std::string, std::vector<std::byte>> state;
+    std::uint64_t hash_of_state = 0;
+    run_in_process(from, [&](Ranks& its) {
+      Simulation simulation(setup, {}, its);
+      while (simulation.clock().step < simulation.clock().steps / 2) {
+        if (simulation.clock().step % 7 == 0) simulation.forget_near_pairs();
+        simulation.step();
+      }
+      const std::uint64_t hash = simulation.state_hash();
+      if (its.is_root()) hash_of_state = hash;
+      simulation.visit_whole_state([&](std::string_view name, auto&& values) {
+        const auto bytes = std::as_bytes(std::span(fccda::numbers_in(values)));
+        state[std::string(name)].assign(bytes.begin(), bytes.end());
+      });
+    });
+    for (const int ranks : {1, 2, 4, 7}) {
+      CAPTURE(from);
+      CAPTURE(ranks);
+      run_in_process(ranks, [&](Ranks& its) {
+        Simulation simulation(setup, {}, its);
+        simulation.take_whole_state([&](std::string_view name, auto&& values) {
+          const std::vector<std::byte>& bytes = state.at(std::string(name));
+          using Values = std::remove_cvref_t<decltype(values)>;
+          if constexpr (fccda::is_list<Values>) values.resize(bytes.size() / sizeof(typename Values::value_type));
+          const auto numbers = fccda::numbers_in(values);
+          REQUIRE(numbers.size_bytes() == bytes.size());
+          if (!bytes.empty()) std::memcpy(numbers.data(), bytes.data(), bytes.size());
+        });
+        const std::uint64_t taken = simulation.state_hash();
+        fixtures::run(simulation);
+        const std::uint64_t hash = simulation.state_hash();
+        if (!its.is_root()) return;
+        CHECK(taken == hash_of_state);
+        CHECK(hash == expected);
+      });
+    }
   }
 }
 

@@ -88,11 +88,29 @@ TEST_CASE("ranks: likewise along y and in the positive direction, with dilatatio
   CHECK(fixtures::expect_equal_on_ranks(setup).broken_bonds > 0);
 }
 
-TEST_CASE("ranks: the warning about a deformed front, and a body that cannot be a window, are those of one rank") {
+TEST_CASE("ranks: rubble of a moving window keeps its contact, friction and compaction, and a body that stays beside it its own") {
   const ::fixtures::TemporaryFolder folder;
   Setup setup = strip(folder.path(), true, -1, fixtures::Model::bond_based);
+  std::get<BondBasedSetup>(setup.bodies[0].material).plasticity = PlasticitySetup{.compressive_strength = 2e7};
+  BodySetup block = fixtures::body_setup({.size = {16 * spacing, 4 * spacing, 4 * spacing}, .spacing = spacing, .critical_stretch = 4e-4});
+  block.name = "block";
+  block.position = {2 * spacing, 0, -4.1 * spacing};
+  block.velocity = {0, 0, 40};
+  setup.bodies.insert(setup.bodies.begin(), block);
+  setup.contact.fragments.law.index = 1;
+  setup.contact.fragments.friction = 0.2;
+  Simulation simulation(setup);
+  fixtures::run(simulation);
+  CHECK(simulation.moving_windows()[0].travel() == -24 * spacing);
+  CHECK(simulation.fragments()->contacts() > 100);
+  CHECK(fixtures::expect_equal_on_ranks(setup).broken_bonds > 0);
+}
+
+TEST_CASE("ranks: the warning about a deformed front, and a body that cannot be a window, are those of one rank") {
+  const ::fixtures::TemporaryFolder folder;
+  Setup setup = strip(folder.path(), true, 1, fixtures::Model::bond_based);
   setup.bodies[0].boundary_conditions.clear();
-  setup.impactors[0].position.x = -24 * spacing;
+  setup.impactors[0].position.x = 24 * spacing;  // at the front, of which the root owns nothing
   const auto warnings_on = [&](int ranks) {
     std::vector<std::string> warnings;
     run_in_process(ranks, [&](Ranks& its) {

@@ -4,7 +4,6 @@
 #include <cmath>
 
 #include "base/contract.hpp"
-#include "perimpact/boundary_conditions/actions/slot_sum.hpp"
 
 namespace perimpact {
 

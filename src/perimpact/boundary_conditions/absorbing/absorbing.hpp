@@ -17,6 +17,7 @@
 
 #include "perimpact/boundary_conditions/actions/damped.hpp"
 #include "perimpact/boundary_conditions/actions/reaction_ledger.hpp"
+#include "perimpact/boundary_conditions/actions/slot_sum.hpp"
 #include "perimpact/particles/particles.hpp"
 
 namespace perimpact {
@@ -37,6 +38,11 @@ class Absorbing {
 
   /// Damps the force densities for the next step of dt [s], after all other forces except constraints. Records force and work.
   void damp(Particles& particles, double dt);
+
+  template <class Setup>
+  static Traffic collectives_in_step(const Setup&) {
+    return reduction_of_sums<Resistance>();
+  }
 
   ReactionLedger account;
 

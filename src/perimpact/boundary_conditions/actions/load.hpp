@@ -41,6 +41,11 @@ class Load {
   Vec3d displacement(const Particles& particles) const;
   Vec3d conjugate_displacement(const Particles& particles, double) const { return displacement(particles); }
 
+  template <class Setup>
+  static Traffic collectives_in_step(const Setup&) {
+    return reduction_of_sums<Vec3d>();  // displacement()
+  }
+
   ReactionLedger account;
 
   template <class Visitor>

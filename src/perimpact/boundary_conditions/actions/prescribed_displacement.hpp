@@ -57,6 +57,13 @@ class PrescribedDisplacement {
   /// [J] cumulative work of reimposing displacements beyond the constraint work; it compensates the work that contact recorded on them.
   double constraint_work_correction() const { return constraint_work_correction_; }
 
+  /// Where contact displaces none of the particles.
+  template <class Setup>
+  static Traffic collectives_in_step(const Setup&) {
+    Traffic traffic = reduction_of_sums<ForceSum>();
+    return traffic += reduction_of(1);  // whether contact has displaced any
+  }
+
   ReactionLedger account;
 
   template <class Visitor>

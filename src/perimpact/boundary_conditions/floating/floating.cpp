@@ -189,4 +189,12 @@ Vec3d Floating::resist(Particles& particles, double dt) {
   return sum.force;
 }
 
+Traffic Floating::collectives_in_step(const FloatingSetup& setup) {
+  Traffic traffic = reduction_of_sums<Hydrostatics>();
+  if (setup.drag != 0 || setup.damping != 0 || setup.added_mass != 0 || setup.entrained_depth != 0) traffic += reduction_of_sums<Resistance>();
+  if (setup.dry_top != 0)
+    for (int flooded = 0; flooded < 2; ++flooded) traffic += reduction_of_sums<double>();  // with lost bonds, and by depth
+  return traffic;
+}
+
 }  // namespace perimpact

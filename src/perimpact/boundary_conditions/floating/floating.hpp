@@ -22,6 +22,7 @@
 #include "perimpact/boundary_conditions/actions/damped.hpp"
 #include "perimpact/boundary_conditions/actions/reaction_ledger.hpp"
 #include "perimpact/boundary_conditions/actions/slot_sum.hpp"
+#include "perimpact/boundary_conditions/floating/setup.hpp"
 #include "perimpact/boundary_conditions/floating/water_columns.hpp"
 #include "perimpact/family/exposure.hpp"
 #include "perimpact/particles/particles.hpp"
@@ -81,8 +82,10 @@ class Floating {
   double weight_buoyancy_work() const { return weight_buoyancy_work_; }  ///< [J] cumulative, done on the body
   double drag_work() const { return drag_work_; }                        ///< [J] cumulative, of drag, damping and added mass
 
-  bool has_dry_top() const { return !dry_tops_.empty(); }                ///< columns had a dry top at the beginning
+  bool has_dry_top() const { return water_.dry_top != 0; }               ///< columns had a dry top at the beginning
   double flooding_dissipation() const { return flooding_dissipation_; }  ///< [J] cumulative, by water that falls on tops that were dry
+
+  static Traffic collectives_in_step(const FloatingSetup& setup);
 
   /// Force on the body at this instant, and the sum of both works.
   ReactionLedger account;
@@ -120,7 +123,7 @@ class Floating {
   std::vector<double> wetness_;                      // W of each column; empty without an entrained depth
   std::vector<double> intact_;                       // 1 - D of each slot; empty without an entrained depth
   std::vector<std::uint32_t> broken_ends_;           // of each eight, when intact_ was updated
-  std::vector<std::uint8_t> dry_tops_;               // 1 for the top of a column that is dry there, of each slot; empty where none was
+  std::vector<std::uint8_t> dry_tops_;               // 1 for the top of a column that is dry there, of each slot
   ForcesOnTheWay forces_;                            // of drag, damping and added mass; empty without them
   double potential_ = 0;                             // [J] at the latest instant
   bool has_begun_ = false;                           // potential_ is known

@@ -183,6 +183,19 @@ SmallMatrix<double, D> CorrespondenceForce<D>::inverse_shape(std::size_t slot) c
 }
 
 template <std::size_t D>
+StepMessages CorrespondenceForce<D>::messages() const {
+  StepMessages messages = breaking_.messages();
+  if (law_.is_bond_level()) {
+    messages.refreshed.push_back(D * D * sizeof(double));  // deformation gradient
+    if (breaking_.is_armed()) messages.refreshed.push_back(sizeof(double));
+    messages.collectives += reduction_of(1);               // whether a bond has broken
+    messages.refreshed.push_back(D * D * sizeof(double));  // stress carried to the bonds
+  }
+  messages.refreshed.push_back(loads * sizeof(double));
+  return messages;
+}
+
+template <std::size_t D>
 double CorrespondenceForce<D>::bytes() const {
   const std::size_t doubles = shape_.slots() * (symmetric + 3 + loads) + D * D * (gradient_.slots() + carried_.slots() + rate_.slots()) +
                               3 * reference_.slots() + listed_weighted_volume_.size();

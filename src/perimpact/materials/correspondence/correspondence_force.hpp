@@ -39,7 +39,8 @@ class CorrespondenceForce {
     const double* bound = shape_.component(symmetric + 1);
     return law_.weight(bond.length) * (bound[slot] + bound[bond.j]);
   }
-  double bytes() const;  ///< [bytes] of memory
+  double bytes() const;           ///< [bytes] of memory
+  StepMessages messages() const;  ///< of a pass in which no bond breaks
 
  private:
   template <class Pack, class View>

@@ -253,6 +253,12 @@ template void OrdinaryStateForce::pass<double>(Particles&, Family&, const PassOp
 template void OrdinaryStateForce::pass<NativePack>(Particles&, Family&, const PassOptions&, SumsOfEights&);
 #endif
 
+StepMessages OrdinaryStateForce::messages() const {
+  StepMessages messages = breaking_.messages();
+  if (law_.needs_dilatation()) messages.refreshed.push_back(sizeof(double));  // θ
+  return messages;
+}
+
 double OrdinaryStateForce::bytes() const {
   return correction_.bytes() + breaking_.bytes() + static_cast<double>(sizeof(double) * (theta_.slots() + stretch_.size() + dilatation_.size()));
 }

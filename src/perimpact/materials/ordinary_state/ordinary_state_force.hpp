@@ -34,7 +34,8 @@ class OrdinaryStateForce {
   double dilatation_slope(std::size_t slot, const FamilyBond& bond) const { return corrected_dilatation_slope(law_, correction_, slot, bond); }
   /// g_i [-] of the linear peridynamic solid, whose θ is g_i times that sum and enters the force with another factor g_i; else 1.
   double family_factor(std::size_t slot) const { return correction_.kind() == CorrectionKind::family ? 2 * correction_.own_family().component(0)[slot] : 1; }
-  double bytes() const;  ///< [bytes] of memory
+  double bytes() const;           ///< [bytes] of memory
+  StepMessages messages() const;  ///< of a pass
 
  private:
   OrdinaryState law_;

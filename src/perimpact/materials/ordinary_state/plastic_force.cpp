@@ -188,6 +188,16 @@ template void PlasticForce::pass<double>(Particles&, Family&, const PassOptions&
 template void PlasticForce::pass<NativePack>(Particles&, Family&, const PassOptions&, SumsOfEights&);
 #endif
 
+StepMessages PlasticForce::messages() const {
+  StepMessages messages{.refreshed = {}, .collectives = reduction_of(2)};  // whether any particle flows
+  if (law_.needs_dilatation()) {
+    messages.refreshed.push_back(sizeof(double));       // θ
+    messages.refreshed.push_back(15 * sizeof(double));  // refresh_ghosts(): the stress of all particles is evaluated
+  }
+  messages.refreshed.push_back(sizeof(double));  // pressure
+  return messages;
+}
+
 double PlasticForce::bytes() const {
   const std::size_t numbers = 18 * strain_.slots() + 5 * equivalent_.slots() + theta_.slots() + stretch_.size() + dilatation_.size() + 3 * direction_.slots();
   return correction_.bytes() + breaking_.bytes() +

@@ -77,6 +77,7 @@ class PlasticForce {
   bool is_stress_known(std::size_t slot) const { return (is_hot_[slot / fccda::byte_lanes] >> (slot % fccda::byte_lanes)) & 1u; }
   double dissipation(Ranks& ranks = alone()) const;  ///< [J] by plastic flow on these ranks, up to the last pass
   double bytes() const;                              ///< [bytes] of memory
+  StepMessages messages() const;                     ///< of a pass in which no particle comes near its yield surface
 
   /// Gives a particle a plastic strain, as if it had flowed: for tests.
   void set_plastic_strain(std::size_t slot, const SymmetricTensor& strain, const Family& family);
