@@ -90,14 +90,17 @@ Share Share::at(const std::array<int, 3>& first) const {
   return share;
 }
 
-std::vector<std::size_t> Share::order_of(std::span<const std::uint32_t> slots) const {
-  std::vector<std::uint64_t> own;
-  own.reserve(slots.size());
-  for (const std::uint32_t slot : slots) own.push_back(whole_slot(slot));
-  const std::vector<std::uint64_t> all = ranks_->join_all(std::span<const std::uint64_t>(own));
-  std::vector<std::size_t> order(all.size());
+std::vector<std::uint64_t> Share::whole_slots(std::span<const std::uint32_t> slots) const {
+  std::vector<std::uint64_t> of_whole;
+  of_whole.reserve(slots.size());
+  for (const std::uint32_t slot : slots) of_whole.push_back(whole_slot(slot));
+  return of_whole;
+}
+
+std::vector<std::size_t> Share::order_of(std::span<const std::uint64_t> numbers) {
+  std::vector<std::size_t> order(numbers.size());
   std::iota(order.begin(), order.end(), std::size_t{0});
-  std::ranges::sort(order, {}, [&](std::size_t at) { return all[at]; });
+  std::ranges::sort(order, {}, [&](std::size_t at) { return numbers[at]; });
   return order;
 }
 

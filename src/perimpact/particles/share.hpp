@@ -122,8 +122,9 @@ class Share {
   };
   /// What this rank sends to each in a shift, and where what it receives belongs; with itself.
   std::vector<Peer> peers_of_shift(const Lattice& lattice, const std::array<int, 3>& by) const;
-  /// Of the listed particles of all ranks, one rank after another: their numbers there, in the order of their slots in the whole body. Collective.
-  std::vector<std::size_t> order_of(std::span<const std::uint32_t> slots) const;
+  std::vector<std::uint64_t> whole_slots(std::span<const std::uint32_t> slots) const;
+  /// The places of the numbers in ascending order.
+  static std::vector<std::size_t> order_of(std::span<const std::uint64_t> numbers);
   /// How many the ranks before this one have, if each calls with its count. Collective.
   std::size_t first_of_own(std::size_t count) const;
   /// Sends the numbers in one box of each peer, and passes those received for the other to take(values, count, to) by runs of consecutive slots.
@@ -225,9 +226,9 @@ template <class T>
 std::vector<T> Share::gather_listed(std::span<const T> own, std::span<const std::uint32_t> slots, std::size_t per_slot) const {
   if (!plan_) return {own.begin(), own.end()};
   const std::vector<T> joined = ranks_->join(own);
-  const std::vector<std::size_t> order = order_of(slots);
+  const std::vector<std::uint64_t> of_whole = whole_slots(slots);
+  const std::vector<std::size_t> order = order_of(ranks_->join(std::span<const std::uint64_t>(of_whole)));
   std::vector<T> sorted;
-  if (!ranks_->is_root()) return sorted;
   sorted.reserve(joined.size());
   for (const std::size_t at : order)
     sorted.insert(sorted.end(), joined.begin() + static_cast<std::ptrdiff_t>(at * per_slot), joined.begin() + static_cast<std::ptrdiff_t>((at + 1) * per_slot));
@@ -240,7 +241,8 @@ void Share::take_listed(std::span<const T> all, std::span<T> own, std::span<cons
     std::copy(all.begin(), all.end(), own.begin());
     return;
   }
-  const std::vector<std::size_t> order = order_of(slots);
+  const std::vector<std::uint64_t> of_whole = whole_slots(slots);
+  const std::vector<std::size_t> order = order_of(ranks_->join_all(std::span<const std::uint64_t>(of_whole)));
   const std::size_t per_slot = order.empty() ? 0 : all.size() / order.size(), before = first_of_own(slots.size());
   for (std::size_t place = 0; place < order.size(); ++place)
     if (order[place] >= before && order[place] < before + slots.size())
