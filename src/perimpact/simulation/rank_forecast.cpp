@@ -62,8 +62,9 @@ StepMessages messages_of_body(const BodySetup& setup) {
 }
 
 Traffic collectives_of_contact(const Setup& setup) {
-  Traffic traffic{.collections = static_cast<std::int64_t>(setup.impactors.size())};  // contacts
-  if (setup.impactors.size() > 1)                                                     // unresolved penetrations
+  Traffic traffic;
+  for (const ImpactorSetup& impactor : setup.impactors) traffic.collections += impactor.elastic ? 2 : 1;  // contacts, and those of its structure
+  if (setup.impactors.size() > 1)                                                                         // unresolved penetrations
     for (std::size_t pair = 0; pair < setup.impactors.size() * setup.bodies.size(); ++pair) traffic += reduction_of(1);
   return traffic;
 }

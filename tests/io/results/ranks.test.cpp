@@ -1,5 +1,4 @@
 #include <doctest/doctest.h>
-#include <fmt/format.h>
 
 #include <atomic>
 #include <filesystem>
@@ -15,6 +14,7 @@
 #include "io/results/particle_frame.hpp"
 #include "io/results/results_writer.hpp"
 #include "perimpact/bodies.hpp"
+#include "perimpact/elastic_modes.hpp"
 #include "perimpact/ranks/in_process.hpp"
 
 namespace perimpact {
@@ -75,11 +75,7 @@ Setup moving_strip(const std::filesystem::path& folder) {
   guide.name = "guide";
   guide.position.z = 1;
   guide.velocity = {-8400, 0, 0};
-  std::string modes = "frequency [Hz], 20000\nx [m], y [m], z [m], mode_1_x, mode_1_y, mode_1_z\n";
-  for (const Vec3d& X : surface_of(ball).remeshed.surface.panels().vertices)
-    modes += fmt::format("{:.17g},{:.17g},{:.17g},{:.17g},0,{:.17g}\n", X.x, X.y, X.z, 300 * X.x, -500 * X.z);
-  ::fixtures::put(folder / "modes.csv", modes);
-  ball.elastic = ElasticImpactorSetup{.modes = (folder / "modes.csv").string()};
+  fixtures::make_elastic(ball, folder / "modes.csv");
   setup.impactors = {ball, guide};
   setup.output.frames = 6;
   setup.output.history_interval = 1e-6;

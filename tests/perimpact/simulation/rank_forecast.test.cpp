@@ -6,8 +6,10 @@
 #include <mutex>
 #include <string>
 
+#include "fixtures/temporary_folder.hpp"
 #include "fixtures/tolerance.hpp"
 #include "perimpact/bodies.hpp"
+#include "perimpact/elastic_modes.hpp"
 #include "perimpact/particles/share.hpp"
 #include "perimpact/ranks/counting_ranks.hpp"
 #include "perimpact/ranks/in_process.hpp"
@@ -156,7 +158,8 @@ TEST_CASE("rank forecast: messages, bytes and reductions of a step are exactly t
   }
 }
 
-TEST_CASE("rank forecast: messages, bytes and reductions of a step are exactly those that every rank sends, for two bodies and one or two impactors") {
+TEST_CASE(
+    "rank forecast: messages, bytes and reductions of a step are exactly those that every rank sends, for two bodies and one or two impactors, also elastic") {
   Setup setup = at_rest(plate({.poissons_ratio = 0.3}));
   BodySetup second = plate({.model = fixtures::Model::bond_based});
   second.name = "second", second.position = {0, 0.1, 0};
@@ -164,6 +167,9 @@ TEST_CASE("rank forecast: messages, bytes and reductions of a step are exactly t
   setup.impactors = {ball("one", {0, 0, 0.1})};
   check_steps(setup);
   setup.impactors.push_back(ball("two", {0, 0, -0.1}));
+  check_steps(setup);
+  const ::fixtures::TemporaryFolder folder;
+  fixtures::make_elastic(setup.impactors[1], folder / "modes.csv");
   check_steps(setup);
 }
 
