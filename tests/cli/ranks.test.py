@@ -80,6 +80,17 @@ def _(t):
         t.assertNotIn("run.lock", t.files(str(ranks)))
 
 
+@claim("ranks: 3 processes write the results of one for a body with a moving window, byte for byte")
+def _(t):
+    deck = t.deck(*MOVES)
+    apart = "--set", "contact.fragments.law=none"
+    t.expect_success("run", deck, "--out", "1", *apart)
+    done = with_program(t, launched(t, 3), lambda: t.run_program("run", deck, "--out", "3", "--threads", "1", *apart))
+    t.assertEqual(done.code, 0, done)
+    t.assertEqual(contents(t, "3"), contents(t, "1"))
+    t.assertEqual(t.report("3")["state_hash"], t.report("1")["state_hash"])
+
+
 @claim("ranks: a signal to one process ends all after the same step, and the run resumes on another number of ranks to the same state")
 def _(t):
     deck = t.deck(*SHORT, ("30 us, step", "400 us, step"))
@@ -140,12 +151,13 @@ def _(t):
     two = launched(t, 2)
     deck = t.deck(*SHORT)
     t.expect_success("run", deck, "--out", "taken")
-    moves = t.deck(*MOVES, name="moves.yaml")
+    (t.folder / "cloud.csv").write_text("x [mm], y [mm], z [mm], volume [mm3]\n0, 0, 0, 125\n5, 0, 0, 125\n")
+    cloud = t.deck(("shape: {box: {size: [100 mm, 60 mm, 20 mm]}}", "shape: {points: {file: cloud.csv}}"), ("    spacing: 5 mm\n", ""), name="cloud.yaml")
     for arguments, begins in (
         (["none.yaml"], "none.yaml: there is no such file"),
         ([deck, "--set", "bodies.plate.spacing=0"], "--set bodies.plate.spacing"),
         ([deck, "--out", "taken"], "the folder taken contains a finished run"),
-        ([moves, "--out", "new"], "moves.yaml:6:"),
+        ([cloud, "--out", "new"], "cloud.yaml:5:"),
         ([deck, "--bogus"], "The following argument was not expected: --bogus"),
     ):
         done = with_program(t, two, lambda: t.run_program("run", *arguments))

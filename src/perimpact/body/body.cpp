@@ -23,18 +23,27 @@ Stencil stencil_of(const BodySetup& setup, const Lattice& lattice) {
 
 int layers_along(std::size_t axis, const Particles& particles) { return static_cast<int>(std::lround(extent(particles)[axis] / particles.spacing())); }
 
-/// One particle in each cell of the lattice whose centre is inside the solid.
-Particles filled(const BodySetup& setup, const BodySolid& solid, Ranks& ranks, int first_rank) {
-  Lattice lattice = lattice_that_fills(setup, solid);
+/// Share of this rank in the lattice of a body.
+Share share_of(const BodySetup& setup, const BodySolid& solid, Ranks& ranks, int first_rank) {
+  const Lattice lattice = lattice_that_fills(setup, solid);
   const PartitionRule rule = partition_rule_of(setup, lattice);
-  Share share(ranks, lattice, rule.reach, rule.keeps_columns, first_rank);
-  if (!share.is_whole()) lattice = share.lattice();
+  return Share(ranks, lattice, rule.reach, rule.keeps_columns, first_rank);
+}
+
+/// One particle in each cell of the lattice whose centre is inside the solid.
+Particles filled(const BodySetup& setup, const BodySolid& solid, Share share) {
+  const Lattice lattice = share.is_whole() ? lattice_that_fills(setup, solid) : share.lattice();
   const std::vector<std::uint8_t> inside = cells_inside(lattice, solid);
-  if (!ranks.any(std::find(inside.begin(), inside.end(), 1) != inside.end()))
+  if (!share.ranks().any(std::find(inside.begin(), inside.end(), 1) != inside.end()))
     throw SetupError("bodies." + setup.name + ".spacing",
                      fmt::format("no particle of a lattice of {} m is inside body {}; take a smaller spacing, or check the units of its shape and holes.",
                                  lattice.spacing, setup.name));
-  return Particles(lattice, rule.reach, setup.elastic().density, inside, std::move(share));
+  return Particles(lattice, stencil_of(setup, lattice).reach(), setup.elastic().density, inside, std::move(share));
+}
+
+Particles with_velocity(const BodySetup& setup, Particles particles) {
+  for (const std::uint32_t slot : particles.slot_of()) particles.velocity.set(slot, setup.velocity);
+  return particles;
 }
 
 Influences influences_of(const BodySetup& setup) {
@@ -116,11 +125,12 @@ IsotropicElastic elastic_of(const BodySetup& setup) {
 }
 
 Particles make_particles(const BodySetup& setup, const Discretisation& discretisation, Ranks& ranks, int first_rank) {
-  const auto* cloud = std::get_if<Cloud>(&discretisation);
-  Particles particles = cloud ? Particles(*cloud, setup.elastic().density) : filled(setup, std::get<BodySolid>(discretisation), ranks, first_rank);
-  for (const std::uint32_t slot : particles.slot_of()) particles.velocity.set(slot, setup.velocity);
-  return particles;
+  if (const auto* cloud = std::get_if<Cloud>(&discretisation)) return with_velocity(setup, Particles(*cloud, setup.elastic().density));
+  const BodySolid& solid = std::get<BodySolid>(discretisation);
+  return with_velocity(setup, filled(setup, solid, share_of(setup, solid, ranks, first_rank)));
 }
+
+Particles make_particles(const BodySetup& setup, Share share) { return with_velocity(setup, filled(setup, BodySolid(setup), std::move(share))); }
 
 Body make_body(const BodySetup& setup, Particles particles, fccda::Stages& stages) {
   stages.begin("bonds", setup.name);

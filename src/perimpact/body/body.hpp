@@ -56,6 +56,8 @@ struct Body {
 /// than can be indexed. `first_rank`: see Share.
 Particles make_particles(const BodySetup& setup, const Discretisation& discretisation, Ranks& ranks = alone(), int first_rank = 0);
 inline Particles make_particles(const BodySetup& setup) { return make_particles(setup, discretise(setup)); }
+/// The same of a solid on a lattice of which this rank has that share.
+Particles make_particles(const BodySetup& setup, Share share);
 
 /// How ranks divide its lattice: not across z where it floats, since the water under it acts on columns.
 PartitionRule partition_rule_of(const BodySetup& setup, const Lattice& whole);

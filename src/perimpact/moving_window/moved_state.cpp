@@ -1,6 +1,6 @@
 #include "perimpact/moving_window/moved_state.hpp"
 
-#include <cstring>
+#include <algorithm>
 
 #include "base/contract.hpp"
 
@@ -11,29 +11,24 @@ using fccda::byte_lanes;
 namespace {
 
 template <class T>
-std::vector<T> numbers_of(std::span<const std::byte> bytes) {
-  std::vector<T> numbers(bytes.size() / sizeof(T));
-  if (!bytes.empty()) std::memcpy(numbers.data(), bytes.data(), bytes.size());
-  return numbers;
-}
-
-template <class T>
 std::vector<std::byte> bytes_of(const std::vector<T>& numbers) {
   const auto bytes = std::as_bytes(std::span(numbers));
   return {bytes.begin(), bytes.end()};
 }
 
-bool get_bit(std::span<const std::byte> bytes, std::size_t row, std::size_t lane) { return (std::to_integer<unsigned>(bytes[row]) >> lane) & 1u; }
+/// The slot of the cell `by` cells from that of a slot; none outside the lattice.
+std::optional<std::size_t> slot_at(const Lattice& lattice, std::size_t slot, const std::array<int, 3>& by) {
+  std::array<int, 3> cell = lattice.cell(slot);
+  for (std::size_t axis = 0; axis < 3; ++axis) cell[axis] += by[axis];
+  if (!lattice.contains(cell[0], cell[1], cell[2])) return std::nullopt;
+  return lattice.slot(cell[0], cell[1], cell[2]);
+}
 
 }  // namespace
 
-MovedState::MovedState(const CapturedState& captured, const MovedBody& body) : captured_(captured), body_(body), target_of_(body.sources.size(), -1) {
-  for (std::size_t slot = 0; slot < body_.sources.size(); slot += byte_lanes) {
-    EXPECTS(body_.sources[slot] < 0 || body_.sources[slot] % static_cast<std::int64_t>(byte_lanes) == 0);
-    source_eights_.push_back(body_.sources[slot] < 0 ? -1 : body_.sources[slot] / static_cast<std::int64_t>(byte_lanes));
-  }
-  for (std::size_t slot = 0; slot < body_.sources.size(); ++slot)
-    if (body_.sources[slot] >= 0) target_of_[static_cast<std::size_t>(body_.sources[slot])] = static_cast<std::int64_t>(slot);
+MovedState::MovedState(const CapturedState& captured, const MovedBody& body) : captured_(captured), body_(body), is_new_(body.particles.slots()) {
+  const Lattice& whole = *body_.particles.whole_lattice();
+  for (std::size_t slot = 0; slot < is_new_.size(); ++slot) is_new_[slot] = slot_at(whole, body_.particles.share().whole_slot(slot), body_.cells) ? 0 : 1;
 }
 
 void MovedState::copy(std::span<const std::byte> from, std::span<std::byte> to) {
@@ -41,35 +36,44 @@ void MovedState::copy(std::span<const std::byte> from, std::span<std::byte> to) 
   if (!from.empty()) std::memcpy(to.data(), from.data(), from.size());
 }
 
-std::int64_t MovedState::moved_id(std::uint64_t id) const {
-  if (id < body_.first_id || id >= body_.first_id + target_of_.size()) return static_cast<std::int64_t>(id);
-  const std::int64_t target = target_of_[id - body_.first_id];
-  return target < 0 ? -1 : target + static_cast<std::int64_t>(body_.first_id);
+std::optional<std::size_t> MovedState::target(std::size_t whole_slot) const {
+  return slot_at(*body_.particles.whole_lattice(), whole_slot, {-body_.cells[0], -body_.cells[1], -body_.cells[2]});
+}
+
+std::optional<std::size_t> MovedState::moved_id(std::size_t id) const {
+  if (id < body_.first_id || id >= body_.first_id + body_.particles.whole_lattice()->slots()) return id;
+  const std::optional<std::size_t> moved = target(id - body_.first_id);
+  return moved ? std::optional(*moved + body_.first_id) : std::nullopt;
 }
 
 std::vector<std::byte> MovedState::list(std::string_view name, const std::vector<std::byte>& from) {
   const std::string detector = "." + std::to_string(body_.index) + ".";
   if (name.find(detector) != std::string_view::npos && (name.ends_with(".points_inside") || name.ends_with(".points_in_contact"))) {
-    std::vector<std::uint64_t> points;
-    for (const std::uint64_t point : numbers_of<std::uint64_t>(from))
-      if (const std::int64_t target = target_of_.at(point); target >= 0) points.push_back(static_cast<std::uint64_t>(target));
+    const Share& share = body_.particles.share();
+    std::vector<std::uint64_t> own = numbers_of<std::uint64_t>(from), points;
+    for (std::uint64_t& point : own) point = share.whole_slot(point);
+    for (const std::uint64_t point : share.ranks().join_all(std::span<const std::uint64_t>(own)))
+      if (const std::optional<std::size_t> moved = target(point))
+        if (const std::optional<std::size_t> slot = share.owned_slot(*moved)) points.push_back(*slot);
+    std::ranges::sort(points);
     return bytes_of(points);
   }
   if (name == "fragments.pair_ends") {
     kept_pairs_.clear();
     std::vector<std::uint64_t> ends;
-    const std::vector<std::uint64_t> before = numbers_of<std::uint64_t>(from);
+    const std::vector<std::uint64_t> before = of_all_ranks<std::uint64_t>(from);
     for (std::size_t pair = 0; pair < before.size() / 2; ++pair) {
-      const std::int64_t i = moved_id(before[2 * pair]), j = moved_id(before[2 * pair + 1]);
-      if (i < 0 || j < 0) continue;
+      const std::optional<std::size_t> i = moved_id(before[2 * pair]), j = moved_id(before[2 * pair + 1]);
+      if (!i || !j) continue;
       kept_pairs_.push_back(pair);
-      ends.push_back(static_cast<std::uint64_t>(i)), ends.push_back(static_cast<std::uint64_t>(j));
+      ends.push_back(*i), ends.push_back(*j);
     }
     return bytes_of(ends);
   }
-  if (name == "fragments.pair_slips" && !from.empty()) {
+  if (name == "fragments.pair_slips") {
+    const std::vector<double> before = of_all_ranks<double>(from);
     std::vector<double> slips;
-    const std::vector<double> before = numbers_of<double>(from);
+    if (before.empty()) return {};  // without friction
     for (const std::size_t pair : kept_pairs_)
       slips.insert(slips.end(), before.begin() + static_cast<std::ptrdiff_t>(3 * pair), before.begin() + static_cast<std::ptrdiff_t>(3 * pair + 3));
     return bytes_of(slips);
@@ -77,35 +81,27 @@ std::vector<std::byte> MovedState::list(std::string_view name, const std::vector
   return from;
 }
 
-void MovedState::take_over(std::span<const std::int64_t> sources, std::span<const std::byte> from, std::span<std::byte> to, std::size_t size_of_number) {
-  for (std::size_t k = 0; k < sources.size(); ++k)
-    if (sources[k] >= 0) std::memcpy(to.data() + k * size_of_number, from.data() + static_cast<std::size_t>(sources[k]) * size_of_number, size_of_number);
-}
-
-void MovedState::array(std::string_view name, std::span<const std::byte> from, std::span<std::byte> to, std::size_t size_of_number) const {
-  EXPECTS(from.size() == to.size());
-  const std::size_t slots = body_.sources.size();
-  const bool is_own = name.starts_with(body_.name + ".");
-  if (is_own && name.ends_with(".bonds")) return bonds(from, to);
-  const std::size_t count = to.size() / size_of_number;
-  const bool is_of_body = is_own && name.find('.', body_.name.size() + 1) == std::string_view::npos;  // not of one of its boundary conditions
-  if (is_of_body && count == source_eights_.size() && !name.ends_with("_of_eight")) return take_over(source_eights_, from, to, size_of_number);
-  const bool is_of_contact = name.starts_with("fragments." + std::to_string(body_.index) + ".");
-  if ((is_own || is_of_contact) && count == slots) return take_over(body_.sources, from, to, size_of_number);
-  copy(from, to);
+bool MovedState::is_of_all_particles(std::string_view name, std::size_t numbers, std::size_t slots) const {
+  if (!name.starts_with(body_.name + ".")) return false;
+  std::array<std::int64_t, 2> counts{static_cast<std::int64_t>(numbers), static_cast<std::int64_t>(slots)};
+  body_.particles.share().ranks().sum(counts);
+  const auto all = static_cast<std::int64_t>(body_.particles.whole_lattice()->slots());
+  return counts[0] == all && counts[1] == all;
 }
 
 // Bonds to or from new material are intact, and those to discarded material do not exist. `to`: all bonds of the newly built body.
-void MovedState::bonds(std::span<const std::byte> from, std::span<std::byte> to) const {
+void MovedState::bonds(std::span<const std::uint8_t> from, std::span<std::uint8_t> to, std::size_t per_eight) const {
+  std::vector<std::uint8_t> before(to.size());
+  body_.particles.share().shift(*body_.particles.lattice(), from, std::span(before), per_eight, body_.cells);
   const std::span<const std::ptrdiff_t> offsets = body_.family.offsets();
-  for (std::size_t slot = 0; slot < body_.sources.size(); ++slot) {
-    if (body_.sources[slot] < 0) continue;
-    const auto source = static_cast<std::size_t>(body_.sources[slot]);
-    const std::size_t row = body_.family.begin(slot / byte_lanes), row_of_source = body_.family.begin(source / byte_lanes), lane = slot % byte_lanes;
+  for (std::size_t slot = 0; slot < is_new_.size(); ++slot) {
+    if (is_new_[slot] != 0) continue;
+    const std::size_t row = body_.family.begin(slot / byte_lanes);
+    const auto bit = static_cast<std::uint8_t>(1u << slot % byte_lanes);
     for (std::size_t r = 0; r < offsets.size(); ++r) {
-      if (!get_bit(to, row + r, lane)) continue;
+      if ((to[row + r] & bit) == 0) continue;
       const auto neighbour = static_cast<std::size_t>(static_cast<std::ptrdiff_t>(slot) + offsets[r]);
-      if (body_.sources[neighbour] >= 0 && !get_bit(from, row_of_source + r, source % byte_lanes)) to[row + r] &= ~(std::byte{1} << lane);
+      if (is_new_[neighbour] == 0 && (before[row + r] & bit) == 0) to[row + r] = static_cast<std::uint8_t>(to[row + r] & ~bit);
     }
   }
 }

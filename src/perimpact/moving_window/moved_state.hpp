@@ -1,4 +1,4 @@
-/// State of a body whose window moves: captured before the body is rebuilt at its next cells, and restored slot by slot.
+/// State of a body whose window moves: captured before the body is rebuilt at its next cells, and restored cell by cell.
 #pragma once
 
 #include <cstddef>
@@ -10,8 +10,10 @@
 #include <type_traits>
 #include <vector>
 
+#include "base/pack.hpp"
 #include "base/state.hpp"
 #include "perimpact/family/family.hpp"
+#include "perimpact/particles/particles.hpp"
 
 namespace perimpact {
 
@@ -30,17 +32,18 @@ class CapturedState {
 };
 
 /// A visitor that writes captured arrays into the parts of the simulation, of which the moved body, its boundary conditions and the contact of fragments are
-/// rebuilt. Arrays over the slots, or over the eights, of this body take over the values of their sources (MovingWindow::sources); new material keeps its
-/// initial values, and pairs and points of discarded material are left out. Sums since the beginning (names that end in "_of_eight") stay in their eights, so
-/// that their totals include what is discarded. All other arrays are restored as they were.
+/// rebuilt. Arrays over the slots, or over the eights, of this body take over the values of the cells that its cells move to; new material keeps its initial
+/// values, and pairs and points of discarded material are left out. Sums since the beginning (names that end in "_of_eight") stay in their eights, so that
+/// their totals include what is discarded. All other arrays are restored as they were. Collective: state that comes from another rank is sent.
 class MovedState {
  public:
   struct MovedBody {
     std::string name;
     std::size_t index;
-    std::size_t first_id;                   ///< of its particles in pairs of the contact of fragments: number of slots of the bodies before it
-    std::span<const std::int64_t> sources;  ///< of each slot
-    const Family& family;                   ///< rebuilt
+    std::size_t first_id;        ///< of its particles in pairs of the contact of fragments: number of slots of the bodies before it, on all ranks
+    std::array<int, 3> cells;    ///< by which it moves, MovingWindow::cells_of(moves)
+    const Particles& particles;  ///< rebuilt
+    const Family& family;        ///< rebuilt
   };
 
   MovedState(const CapturedState& captured, const MovedBody& body);
@@ -55,24 +58,57 @@ class MovedState {
       copy(moved, std::as_writable_bytes(std::span(values)));
     } else {
       const auto numbers = fccda::numbers_in(values);
-      array(name, from, std::as_writable_bytes(numbers), sizeof(numbers[0]));
+      using T = typename decltype(numbers)::value_type;
+      if constexpr (requires { values.per_eight; }) {
+        if (values.share == &body_.particles.share() && !name.ends_with("_of_eight")) return eights(name, numbers_of<T>(from), numbers, values.per_eight);
+      } else if constexpr (requires { values.per_slot; }) {
+        if (is_of_all_particles(name, numbers.size(), values.slots.size())) return of_particles(numbers_of<T>(from), numbers, values.slots);
+      }
+      copy(from, std::as_writable_bytes(numbers));
     }
   }
 
  private:
+  template <class T>
+  static std::vector<T> numbers_of(std::span<const std::byte> bytes) {
+    std::vector<T> numbers(bytes.size() / sizeof(T));
+    if (!bytes.empty()) std::memcpy(numbers.data(), bytes.data(), bytes.size());
+    return numbers;
+  }
+  template <class T>
+  std::vector<T> of_all_ranks(std::span<const std::byte> own) const {
+    return body_.particles.share().ranks().join_all(std::span<const T>(numbers_of<T>(own)));
+  }
   static void copy(std::span<const std::byte> from, std::span<std::byte> to);
   std::vector<std::byte> list(std::string_view name, const std::vector<std::byte>& from);
-  void array(std::string_view name, std::span<const std::byte> from, std::span<std::byte> to, std::size_t size_of_number) const;
-  static void take_over(std::span<const std::int64_t> sources, std::span<const std::byte> from, std::span<std::byte> to, std::size_t size_of_number);
-  void bonds(std::span<const std::byte> from, std::span<std::byte> to) const;
-  /// Id of a particle after the move; -1 if it is discarded.
-  std::int64_t moved_id(std::uint64_t id) const;
+  /// `per_eight` numbers of each eight slots of the body.
+  template <class T>
+  void eights(std::string_view name, const std::vector<T>& from, std::span<T> to, std::size_t per_eight) const {
+    const Share& share = body_.particles.share();
+    if constexpr (std::is_same_v<T, std::uint8_t>)
+      if (name.ends_with(".bonds")) return bonds(from, to, per_eight);
+    share.shift(*body_.particles.lattice(), std::span<const T>(from), to, per_eight, body_.cells);
+    if (std::is_floating_point_v<T> && per_eight == fccda::byte_lanes) share.refresh({to.data()});
+  }
+  /// A list of one number of each particle of the body.
+  template <class T>
+  void of_particles(const std::vector<T>& from, std::span<T> to, std::span<const std::uint32_t> slots) const {
+    std::vector<T> before(body_.particles.slots()), after(before.size());
+    for (std::size_t k = 0; k < slots.size(); ++k) before[slots[k]] = from[k], after[slots[k]] = to[k];
+    body_.particles.share().shift(*body_.particles.lattice(), std::span<const T>(before), std::span<T>(after), fccda::byte_lanes, body_.cells);
+    for (std::size_t k = 0; k < slots.size(); ++k) to[k] = after[slots[k]];
+  }
+  bool is_of_all_particles(std::string_view name, std::size_t numbers, std::size_t slots) const;
+  void bonds(std::span<const std::uint8_t> from, std::span<std::uint8_t> to, std::size_t per_eight) const;
+  /// The slot after the move of that slot before it, on the lattice of the whole body; none if it is discarded.
+  std::optional<std::size_t> target(std::size_t whole_slot) const;
+  /// Id of a particle after the move; none if it is discarded.
+  std::optional<std::size_t> moved_id(std::size_t id) const;
 
   const CapturedState& captured_;
   MovedBody body_;
-  std::vector<std::int64_t> source_eights_;  // of each eight; -1 for new material
-  std::vector<std::int64_t> target_of_;      // of each slot before the move; -1 if it is discarded
-  std::vector<std::size_t> kept_pairs_;      // of the latest list of pairs
+  std::vector<std::uint8_t> is_new_;     // 1 for each slot of new material
+  std::vector<std::size_t> kept_pairs_;  // of the latest list of pairs
 };
 
 }  // namespace perimpact

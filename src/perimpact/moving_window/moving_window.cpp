@@ -14,9 +14,9 @@ namespace {
 /// What keeps the body from being a window onto uniform material; empty if nothing does.
 std::string obstacle(const Setup& setup, const BodySetup& body, const Particles& particles) {
   if (setup.time.relax) return "time.relax finds equilibria of one body; remove time.relax";
-  const Lattice* lattice = particles.lattice();
+  const Lattice* lattice = particles.whole_lattice();
   if (!lattice) return "its particles are those of a file; fill a shape: box";
-  if (particles.size() != particles.slots()) {
+  if (particles.size_of_body() != lattice->slots()) {
     const int cells = lattice->cells[0], next = (cells + MovingWindow::cells_of_move - 1) / MovingWindow::cells_of_move * MovingWindow::cells_of_move;
     if (next != cells)
       return fmt::format("it has {} particles along x, which must be a multiple of {}; make it {:.6g} m long along x", cells, MovingWindow::cells_of_move,
@@ -61,10 +61,12 @@ MovingWindow::MovingWindow(const Setup& setup, std::size_t body, const Body& its
 
 double MovingWindow::position(std::span<const Impactor> impactors) const { return impactors[impactor_].body().position_of_com()[axis_]; }
 
-std::array<int, 3> MovingWindow::first() const {
-  std::array<int, 3> cell{};
-  cell[axis_] = static_cast<int>(moves_) * cells_of_move;
-  return cell;
+std::array<int, 3> MovingWindow::first() const { return cells_of(moves_); }
+
+std::array<int, 3> MovingWindow::cells_of(long moves) const {
+  std::array<int, 3> cells{};
+  cells[axis_] = static_cast<int>(moves) * cells_of_move;
+  return cells;
 }
 
 long MovingWindow::moves_due(std::span<const Impactor> impactors) const {
@@ -75,14 +77,17 @@ long MovingWindow::moves_due(std::span<const Impactor> impactors) const {
 }
 
 void MovingWindow::inspect_front(const Body& body, long moves) {
-  const Lattice& lattice = *body.particles.lattice();
+  const Lattice& lattice = *body.particles.whole_lattice();
   const auto reach = static_cast<int>(std::ceil(body.family.horizon() / lattice.spacing));
   for (const std::uint32_t slot : body.particles.slot_of()) {
-    const int cell = lattice.cell(slot)[axis_], from_front = moves < 0 ? cell : lattice.cells[axis_] - 1 - cell;
+    const int cell = lattice.cell(body.particles.share().whole_slot(slot))[axis_], from_front = moves < 0 ? cell : lattice.cells[axis_] - 1 - cell;
     if (from_front >= 2 * reach) continue;  // the family of particles with bonds to new material
     front_displacement_ = std::max(front_displacement_, norm(body.particles.displacement(slot)));
     front_damage_ = std::max(front_damage_, body.family.damage(slot));
   }
+  std::array<double, 2> most{front_displacement_, front_damage_};
+  body.particles.share().ranks().max(most);
+  front_displacement_ = most[0], front_damage_ = most[1];
 }
 
 std::vector<std::string> MovingWindow::warnings() const {
@@ -94,16 +99,6 @@ std::vector<std::string> MovingWindow::warnings() const {
                   "{:.3g}); the material attached to it is not. Make the body longer, or reduce moving_window.start_after, so that the impactor stays further "
                   "from the front.",
                   name_, front_displacement_ / spacing, front_damage_)};
-}
-
-std::vector<std::int64_t> MovingWindow::sources(const Lattice& lattice, long moves) const {
-  std::vector<std::int64_t> sources(lattice.slots(), -1);
-  for (std::size_t slot = 0; slot < sources.size(); ++slot) {
-    std::array<int, 3> cell = lattice.cell(slot);
-    cell[axis_] += static_cast<int>(moves) * cells_of_move;
-    if (lattice.contains(cell[0], cell[1], cell[2])) sources[slot] = static_cast<std::int64_t>(lattice.slot(cell[0], cell[1], cell[2]));
-  }
-  return sources;
 }
 
 std::vector<MovingWindow> moving_windows_of(const Setup& setup, std::span<const Body> bodies, std::span<const Impactor> impactors) {

@@ -22,25 +22,25 @@ class MovingWindow {
  public:
   static constexpr int cells_of_move = 8;  ///< slots that share bytes of bonds stay together
 
-  /// `body`: index of a body with a moving window; `impactors` before the first step. Throws SetupError if what the body is or has cannot move.
+  /// `body`: index of a body with a moving window; `impactors` before the first step. Throws SetupError if what the body is or has cannot move. Collective.
   MovingWindow(const Setup& setup, std::size_t body, const Body& its, std::span<const Impactor> impactors);
 
   std::size_t body() const { return body_; }                                       ///< index
   const std::string& name() const { return name_; }                                ///< of the body
-  std::array<int, 3> first() const;                                                ///< Lattice::first
+  std::array<int, 3> first() const;                                                ///< Lattice::first of the body on all ranks
   double travel() const { return static_cast<double>(moves_) * length_of_move_; }  ///< [m] along its axis, with its sign
 
   /// Moves due with the impactors where they are, with the sign of the direction; the window never moves back.
   long moves_due(std::span<const Impactor> impactors) const;
   void move(long moves) { moves_ += moves; }
 
-  /// To be called before a move: examines the material at the front, to which new, undeformed material is going to be attached.
+  /// To be called before a move: examines the material at the front, to which new, undeformed material is going to be attached. Collective.
   void inspect_front(const Body& body, long moves);
   /// A warning if this material was deformed or damaged in any move so far.
   std::vector<std::string> warnings() const;
 
-  /// For each slot, that whose state it takes over when the window makes these moves; -1 for new material.
-  std::vector<std::int64_t> sources(const Lattice& lattice, long moves) const;
+  /// The cells that these moves are.
+  std::array<int, 3> cells_of(long moves) const;
 
   /// See base/state.hpp.
   template <class Visitor>

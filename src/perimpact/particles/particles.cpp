@@ -97,7 +97,9 @@ void Particles::number_particles() {
 
 void Particles::move_lattice(const std::array<int, 3>& first) {
   EXPECTS(lattice_);
+  share_ = share_.at(first);
   lattice_->first = first;
+  if (!share_.is_whole()) lattice_->first = share_.lattice().first;
   for (std::size_t slot = 0; slot < slots_; ++slot) position.set(slot, reference(slot));
 }
 

@@ -30,7 +30,7 @@ class Particles {
   /// One particle per point, in the same order.
   Particles(const Cloud& cloud, double density);
 
-  /// Moves the lattice to that first cell, and all particles to the centres of their cells.
+  /// Moves the lattice of the body to that first cell, and all particles to the centres of their cells.
   void move_lattice(const std::array<int, 3>& first);
 
   /// Removes particles, as if their cells were outside the solid. `slots` ascending, owned. Existing families are not updated. Collective.

@@ -77,14 +77,43 @@ void Share::collect_flags(std::uint8_t* flags) const {
   });
 }
 
-std::vector<std::size_t> Share::order_of(std::span<const std::uint32_t> slots) const {
-  std::vector<std::uint64_t> own;
-  own.reserve(slots.size());
-  for (const std::uint32_t slot : slots) own.push_back(whole_slot(slot));
-  const std::vector<std::uint64_t> all = ranks_->join_all(std::span<const std::uint64_t>(own));
-  std::vector<std::size_t> order(all.size());
+std::vector<Share::Peer> Share::peers_of_shift(const Lattice& lattice, const std::array<int, 3>& by) const {
+  const CellBox all{{0, 0, 0}, plan_ ? plan_->whole.cells : lattice.cells};
+  const std::array<int, 3> offset = plan_ ? plan_->offset : std::array<int, 3>{};
+  const std::vector<CellBox> boxes = plan_ ? plan_->boxes : std::vector<CellBox>{all};
+  const CellBox& owned = boxes[static_cast<std::size_t>(ranks_->rank())];
+  const std::array<int, 3> back = {-by[0], -by[1], -by[2]};
+  EXPECTS(by[0] % static_cast<int>(fccda::byte_lanes) == 0);
+  const auto sources_of = [&](const CellBox& box) { return intersection(shifted(box, back), all); };
+  std::vector<Peer> peers;
+  for (std::size_t other = 0; other < boxes.size(); ++other) {
+    const CellBox send = intersection(sources_of(boxes[other]), owned), receive = intersection(sources_of(owned), boxes[other]);
+    if (send.cells() + receive.cells() > 0) peers.push_back({static_cast<int>(other), shifted(send, offset), shifted(shifted(receive, by), offset)});
+  }
+  return peers;
+}
+
+Share Share::at(const std::array<int, 3>& first) const {
+  if (!plan_) return *this;
+  Plan plan = *plan_;
+  plan.whole.first = first;
+  for (std::size_t axis = 0; axis < 3; ++axis) plan.lattice.first[axis] = first[axis] + plan.offset[axis];
+  Share share = *this;
+  share.plan_ = std::make_shared<const Plan>(std::move(plan));
+  return share;
+}
+
+std::vector<std::uint64_t> Share::whole_slots(std::span<const std::uint32_t> slots) const {
+  std::vector<std::uint64_t> of_whole;
+  of_whole.reserve(slots.size());
+  for (const std::uint32_t slot : slots) of_whole.push_back(whole_slot(slot));
+  return of_whole;
+}
+
+std::vector<std::size_t> Share::order_of(std::span<const std::uint64_t> numbers) {
+  std::vector<std::size_t> order(numbers.size());
   std::iota(order.begin(), order.end(), std::size_t{0});
-  std::ranges::sort(order, {}, [&](std::size_t at) { return all[at]; });
+  std::ranges::sort(order, {}, [&](std::size_t at) { return numbers[at]; });
   return order;
 }
 

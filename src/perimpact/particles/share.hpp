@@ -103,6 +103,12 @@ class Share {
   /// Sets the numbers of the listed particles of this rank from those of all. Collective.
   template <class T>
   void take_listed(std::span<const T> all, std::span<T> own, std::span<const std::uint32_t> slots) const;
+  /// Sets the numbers of the owned eights to those, `from`, of the eights `by` cells further on, which other ranks may own; they stay as they are where these
+  /// are outside the body. `lattice`: of this rank; `by` is a multiple of eight along x. Collective.
+  template <class T>
+  void shift(const Lattice& lattice, std::span<const T> from, std::span<T> own, std::size_t per_eight, const std::array<int, 3>& by) const;
+  /// The same share of a lattice that begins at another cell (Lattice::first).
+  Share at(const std::array<int, 3>& first) const;
   /// The slot of this rank's lattice, or nothing if another rank owns it.
   std::optional<std::size_t> owned_slot(std::size_t whole_slot) const;
   /// The slot of this rank's lattice, ghosts and their surroundings included, or nothing if it is outside.
@@ -138,8 +144,11 @@ class Share {
     std::vector<std::vector<T>> sent, received;
     std::unique_ptr<Ranks::Exchange> exchange;
   };
-  /// Of the listed particles of all ranks, one rank after another: their numbers there, in the order of their slots in the whole body. Collective.
-  std::vector<std::size_t> order_of(std::span<const std::uint32_t> slots) const;
+  /// What this rank sends to each in a shift, and where what it receives belongs; with itself.
+  std::vector<Peer> peers_of_shift(const Lattice& lattice, const std::array<int, 3>& by) const;
+  std::vector<std::uint64_t> whole_slots(std::span<const std::uint32_t> slots) const;
+  /// The places of the numbers in ascending order.
+  static std::vector<std::size_t> order_of(std::span<const std::uint64_t> numbers);
   /// How many the ranks before this one have, if each calls with its count. Collective.
   std::size_t first_of_own(std::size_t count) const;
   /// Begins to send the numbers in one box of each peer, and to receive those for the other.
@@ -212,12 +221,41 @@ void Share::take(std::span<const T> whole, std::span<T> own, std::size_t per_eig
 }
 
 template <class T>
+void Share::shift(const Lattice& lattice, std::span<const T> from, std::span<T> own, std::size_t per_eight, const std::array<int, 3>& by) const {
+  const std::vector<Peer> peers = peers_of_shift(lattice, by);
+  std::vector<std::vector<T>> sent(peers.size()), received(peers.size());
+  std::vector<Ranks::Outgoing> outgoing;
+  std::vector<Ranks::Incoming> incoming;
+  for (std::size_t p = 0; p < peers.size(); ++p) {
+    const Peer& peer = peers[p];
+    for_each_row_of_eights(lattice, peer.send, per_eight, [&](std::size_t first, std::size_t count) {
+      sent[p].insert(sent[p].end(), from.begin() + static_cast<std::ptrdiff_t>(first), from.begin() + static_cast<std::ptrdiff_t>(first + count));
+    });
+    received[p].resize(peer.receive.cells() / fccda::byte_lanes * per_eight);
+    if (peer.rank == ranks_->rank()) {
+      received[p].swap(sent[p]);
+      continue;
+    }
+    outgoing.push_back({peer.rank, std::as_bytes(std::span(sent[p]))});
+    incoming.push_back({peer.rank, std::as_writable_bytes(std::span(received[p]))});
+  }
+  ranks_->exchange(outgoing, incoming);
+  for (std::size_t p = 0; p < peers.size(); ++p) {
+    auto values = received[p].begin();
+    for_each_row_of_eights(lattice, peers[p].receive, per_eight, [&](std::size_t first, std::size_t count) {
+      std::copy_n(values, count, own.begin() + static_cast<std::ptrdiff_t>(first));
+      values += static_cast<std::ptrdiff_t>(count);
+    });
+  }
+}
+
+template <class T>
 std::vector<T> Share::gather_listed(std::span<const T> own, std::span<const std::uint32_t> slots, std::size_t per_slot) const {
   if (!plan_) return {own.begin(), own.end()};
   const std::vector<T> joined = ranks_->join(own);
-  const std::vector<std::size_t> order = order_of(slots);
+  const std::vector<std::uint64_t> of_whole = whole_slots(slots);
+  const std::vector<std::size_t> order = order_of(ranks_->join(std::span<const std::uint64_t>(of_whole)));
   std::vector<T> sorted;
-  if (!ranks_->is_root()) return sorted;
   sorted.reserve(joined.size());
   for (const std::size_t at : order)
     sorted.insert(sorted.end(), joined.begin() + static_cast<std::ptrdiff_t>(at * per_slot), joined.begin() + static_cast<std::ptrdiff_t>((at + 1) * per_slot));
@@ -230,7 +268,8 @@ void Share::take_listed(std::span<const T> all, std::span<T> own, std::span<cons
     std::copy(all.begin(), all.end(), own.begin());
     return;
   }
-  const std::vector<std::size_t> order = order_of(slots);
+  const std::vector<std::uint64_t> of_whole = whole_slots(slots);
+  const std::vector<std::size_t> order = order_of(ranks_->join_all(std::span<const std::uint64_t>(of_whole)));
   const std::size_t per_slot = order.empty() ? 0 : all.size() / order.size(), before = first_of_own(slots.size());
   for (std::size_t place = 0; place < order.size(); ++place)
     if (order[place] >= before && order[place] < before + slots.size())

@@ -23,7 +23,6 @@ void expect_supported_by(int ranks, const Setup& setup) {
   for (const BodySetup& body : setup.bodies) {
     const std::string key = "bodies." + body.name;
     if (is_cloud(body)) refuse(key + ".shape", "bodies from a file of particles are");
-    if (body.moving_window) refuse(key + ".moving_window", "moving windows are");
   }
 }
 

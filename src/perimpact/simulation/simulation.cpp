@@ -271,9 +271,11 @@ void Simulation::move_window(MovingWindow& window, long moves) {
   const std::size_t b = window.body();
   const Body& body = bodies_[b];
   std::size_t slots_before = 0;
-  for (std::size_t before = 0; before < b; ++before) slots_before += bodies_[before].particles.slots();
-  const std::vector<std::int64_t> sources = window.sources(*body.particles.lattice(), moves);
-  MovedState moved(captured, {body.name, b, slots_before, sources, body.family});
+  for (std::size_t before = 0; before < b; ++before) {
+    const Particles& particles = bodies_[before].particles;
+    slots_before += particles.whole_lattice() ? particles.whole_lattice()->slots() : particles.slots();
+  }
+  MovedState moved(captured, {body.name, b, slots_before, window.cells_of(moves), body.particles, body.family});
   visit_all(moved);
   boundary_conditions_[b].restart_potentials();
   for (Impactor& impactor : impactors_) impactor.forget_distances(b);
@@ -283,7 +285,7 @@ void Simulation::move_window(MovingWindow& window, long moves) {
 /// Rebuilds the body of the window at its cells, undeformed. Its parts keep their addresses, and its arrays theirs, to which programs may refer.
 void Simulation::rebuild(const MovingWindow& window) {
   const std::size_t b = window.body();
-  Body body = make_body(setup_.bodies[b], make_particles(setup_.bodies[b]));
+  Body body = make_body(setup_.bodies[b], make_particles(setup_.bodies[b], bodies_[b].particles.share().at({})));
   boundary_conditions_[b] =
       BoundaryConditions(setup_.bodies[b], elastic_of(setup_.bodies[b]), body.particles,
                          [&](const std::string& set, const std::string& key) { return slots_in(set, setup_.bodies[b], body.particles, key); });

@@ -14,6 +14,7 @@
 #include "io/results/particle_frame.hpp"
 #include "io/results/results_writer.hpp"
 #include "perimpact/bodies.hpp"
+#include "perimpact/elastic_modes.hpp"
 #include "perimpact/ranks/in_process.hpp"
 
 namespace perimpact {
@@ -51,6 +52,33 @@ Setup broken_plate() {
   setup.output.history_interval = 1e-6;
   setup.output.probes = {{"centre", "plate", {0, 0, 0}}};
   setup.output.lines = {{.name = "along", .body = "plate", .from = {-0.02, 0.001, 0.001}, .to = {0.02, 0.001, 0.001}}};
+  return setup;
+}
+
+/// A strip whose window follows a guide, and an elastic ball that breaks it. The file of modes is written to the folder.
+Setup moving_strip(const std::filesystem::path& folder) {
+  constexpr double spacing = 1.0 / 512;
+  Setup setup;
+  setup.time = {.end = 6e-6, .step = 2e-7};
+  BodySetup strip = fixtures::body_setup({.size = {64 * spacing, 8 * spacing, 4 * spacing}, .spacing = spacing, .critical_stretch = 4e-4});
+  strip.name = "strip";
+  strip.moving_window = MovingWindowSetup{.follow = "guide", .start_after = 0};
+  setup.bodies = {strip};
+  ImpactorSetup ball;
+  ball.name = "ball";
+  ball.surface = SphereSurface{.diameter = 6 * spacing, .edge_length = spacing};
+  ball.mass = 0.05;
+  ball.position = {0, 0, 5 * spacing};
+  ball.velocity = {0, 0, -150};
+  ball.free_dofs = {"z"};
+  ImpactorSetup guide = ball;
+  guide.name = "guide";
+  guide.position.z = 1;
+  guide.velocity = {-8400, 0, 0};
+  fixtures::make_elastic(ball, folder / "modes.csv");
+  setup.impactors = {ball, guide};
+  setup.output.frames = 6;
+  setup.output.history_interval = 1e-6;
   return setup;
 }
 
@@ -105,6 +133,14 @@ Run run(const Setup& setup, int ranks, const std::filesystem::path& folder, cons
   return run;
 }
 
+void expect_same_files(const Run& one, const Run& other) {
+  for (const auto& [name, contents] : one.files) {
+    CAPTURE(name);
+    REQUIRE(other.files.contains(name));
+    if (name != "run.json" && name != "half.h5") CHECK(other.files.at(name) == contents);  // times of the clock
+  }
+}
+
 }  // namespace
 
 TEST_CASE("ranks: the results are those of one rank, byte for byte") {
@@ -116,11 +152,7 @@ TEST_CASE("ranks: the results are those of one rank, byte for byte") {
     CAPTURE(ranks);
     const Run other = run(setup, ranks, folder / std::to_string(ranks));
     CHECK(other.hash == one.hash);
-    for (const auto& [name, contents] : one.files) {
-      CAPTURE(name);
-      REQUIRE(other.files.contains(name));
-      if (name != "run.json" && name != "half.h5") CHECK(other.files.at(name) == contents);  // times of the clock
-    }
+    expect_same_files(one, other);
   }
 }
 
@@ -222,6 +254,20 @@ TEST_CASE("ranks: a checkpoint of any number of ranks resumes on any other, bitw
       CHECK(resumed.hash == one.hash);
       CHECK(resumed.row == one.row);
     }
+}
+
+TEST_CASE("ranks: results and checkpoints of a body with a moving window under an elastic impactor are those of one rank") {
+  const ::fixtures::TemporaryFolder folder;
+  const Setup setup = moving_strip(folder.path());
+  const Run one = run(setup, 1, folder / "1"), three = run(setup, 3, folder / "3");
+  CHECK(three.hash == one.hash);
+  expect_same_files(one, three);
+  for (const int ranks : {1, 2, 4}) {
+    CAPTURE(ranks);
+    const Run resumed = run(setup, ranks, folder / "3", folder / "3" / "half.h5");
+    CHECK(resumed.hash == one.hash);
+    CHECK(resumed.row == one.row);
+  }
 }
 
 }  // namespace perimpact

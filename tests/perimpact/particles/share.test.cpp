@@ -163,6 +163,36 @@ TEST_CASE("share: numbers of listed particles are gathered by their slots in the
   });
 }
 
+TEST_CASE("share: a shift takes the numbers of the cells further on from whichever rank has them, and keeps those whose cells would be outside the body") {
+  const Lattice whole{.cells = {64, 12, 9}, .spacing = 0.5};
+  for (const int count : {1, 2, 3, 7})
+    for (const std::array<int, 3> by : {std::array{8, 0, 0}, std::array{-24, 0, 0}, std::array{0, 5, 0}, std::array{16, -8, 2}, std::array{72, 0, 0}})
+      for (const std::size_t per_eight : {std::size_t{1}, std::size_t{8}, std::size_t{5}}) {
+        CAPTURE(count);
+        CAPTURE(per_eight);
+        run_in_process(count, [&](Ranks& ranks) {
+          const Share share(ranks, whole, 3, false);
+          const Lattice lattice = share.is_whole() ? whole : share.lattice();
+          const auto number = [&](std::size_t whole_eight, std::size_t n) { return number_of(whole_eight * per_eight + n); };
+          const auto owns = [&](std::size_t eight) { return share.is_whole() || share.owned().contains(lattice.cell(8 * eight)); };
+          std::vector<double> before(lattice.slots() / 8 * per_eight, -1), after(before.size(), -2), expected = after;
+          for (std::size_t eight = 0; eight < lattice.slots() / 8; ++eight) {
+            if (!owns(eight)) continue;
+            const std::size_t of_whole = share.whole_slot(8 * eight) / 8;
+            std::array<int, 3> cell = whole.cell(8 * of_whole);
+            for (std::size_t axis = 0; axis < 3; ++axis) cell[axis] += by[axis];
+            const bool is_inside = whole.contains(cell[0], cell[1], cell[2]);
+            for (std::size_t n = 0; n < per_eight; ++n) {
+              before[eight * per_eight + n] = number(of_whole, n);
+              if (is_inside) expected[eight * per_eight + n] = number(whole.slot(cell[0], cell[1], cell[2]) / 8, n);
+            }
+          }
+          share.shift(lattice, std::span<const double>(before), std::span<double>(after), per_eight, by);
+          CHECK(after == expected);
+        });
+      }
+}
+
 TEST_CASE("share: columns are kept whole on request, and a body of few blocks of cells is divided among that many ranks, from the first given one on") {
   const Lattice sheet{.cells = {16, 12, 8}, .spacing = 1};
   run_in_process(4, [&](Ranks& ranks) { REQUIRE(Share(ranks, sheet, 3, true).owned().size(2) == 8); });

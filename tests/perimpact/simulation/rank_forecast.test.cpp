@@ -10,6 +10,7 @@
 #include "fixtures/temporary_folder.hpp"
 #include "fixtures/tolerance.hpp"
 #include "perimpact/bodies.hpp"
+#include "perimpact/elastic_modes.hpp"
 #include "perimpact/particles/share.hpp"
 #include "perimpact/ranks/counting_ranks.hpp"
 #include "perimpact/ranks/in_process.hpp"
@@ -159,8 +160,7 @@ TEST_CASE("rank forecast: messages, bytes and reductions of a step are exactly t
 }
 
 TEST_CASE(
-    "rank forecast: messages, bytes and reductions of a step are exactly those that every rank sends, for two bodies and one or two impactors, rigid or "
-    "elastic") {
+    "rank forecast: messages, bytes and reductions of a step are exactly those that every rank sends, for two bodies and one or two impactors, also elastic") {
   Setup setup = at_rest(plate({.poissons_ratio = 0.3}));
   BodySetup second = plate({.model = fixtures::Model::bond_based});
   second.name = "second", second.position = {0, 0.1, 0};
@@ -170,14 +170,7 @@ TEST_CASE(
   setup.impactors.push_back(ball("two", {0, 0, -0.1}));
   check_steps(setup);
   const ::fixtures::TemporaryFolder folder;
-  std::ostringstream modes;
-  modes.precision(17);
-  modes << "frequency [Hz], 20000\nx [m], y [m], z [m], mode_1_x, mode_1_y, mode_1_z\n";
-  const ImpactorSurface sphere = surface_of(setup.impactors[1]);
-  for (const Vec3d& X : sphere.remeshed.surface.panels().vertices)
-    modes << X.x << ',' << X.y << ',' << X.z << ',' << 400 * X.x << ',' << -400 * X.y << ",0\n";
-  fixtures::put(folder / "modes.csv", modes.str());
-  setup.impactors[1].elastic = ElasticImpactorSetup{.modes = (folder / "modes.csv").string()};
+  fixtures::make_elastic(setup.impactors[1], folder / "modes.csv");
   check_steps(setup);
 }
 

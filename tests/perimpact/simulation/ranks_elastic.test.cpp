@@ -7,21 +7,12 @@
 
 #include "fixtures/temporary_folder.hpp"
 #include "perimpact/bodies.hpp"
+#include "perimpact/elastic_modes.hpp"
 #include "perimpact/rank_traces.hpp"
 
 namespace perimpact {
 
 namespace {
-
-/// A bending and a stretching mode of a body about the origin, of that many Hz and so compliant that contact moves its vertices visibly.
-std::string modes_text(const fccda::Surface& surface) {
-  std::ostringstream text;
-  text.precision(17);
-  text << "frequency [Hz], 20000, 50000\ndamping_ratio, 0.02\nx [m], y [m], z [m], mode_1_x, mode_1_y, mode_1_z, mode_2_x, mode_2_y, mode_2_z\n";
-  for (const Vec3d& X : surface.panels().vertices)
-    text << X.x << ',' << X.y << ',' << X.z << ",0," << 3e4 * (X.x * X.x - 5e-5) << ",0," << 400 * X.x << ',' << -300 * X.y << ",0\n";
-  return text.str();
-}
 
 /// An elastic cylinder that flies in x and y, or is guided there, breaks the edge of a plate, which a rigid ball presses against it from aside.
 Setup plate(const std::filesystem::path& folder, bool is_free, double friction) {
@@ -38,9 +29,7 @@ Setup plate(const std::filesystem::path& folder, bool is_free, double friction) 
   cylinder.position = {0.003, 0.0361, 0};
   cylinder.velocity = {5, -200, 0};
   if (is_free) cylinder.free_dofs = {"x", "y", "rz"};
-  const std::filesystem::path file = folder / "modes.csv";
-  fixtures::put(file, modes_text(surface_of(cylinder).remeshed.surface));
-  cylinder.elastic = ElasticImpactorSetup{.modes = file.string()};
+  fixtures::make_elastic(cylinder, folder / "modes.csv");
   ImpactorSetup ball;
   ball.name = "ball";
   ball.surface = SphereSurface{.diameter = 0.012, .edge_length = 0.002};
@@ -67,7 +56,7 @@ Setup plate_below_sheet(const std::filesystem::path& folder) {
   sheet.inertia = Vec3d{1e-6, 1e-6, 1e-6};
   sheet.centre_of_mass = Vec3d{};
   sheet.position.y = 0.0213;
-  fixtures::put(sheet.elastic->modes, modes_text(surface_of(sheet).remeshed.surface));
+  fixtures::make_elastic(sheet, folder / "modes.csv");
   return setup;
 }
 
