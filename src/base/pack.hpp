@@ -1,5 +1,5 @@
 /// Packs of doubles (SIMD vectors). Kernels are written once, templated on the pack. The plain `double` is a pack of one particle;
-/// tests use it as the reference for the wide packs.
+/// tests use it as the reference for the wide packs, and it is the pack of a GPU, each of whose threads has one particle.
 ///
 /// Packs have no mask type. The low bits of an integer select lanes, bit l for lane l, because a bond's state is stored as one bit.
 /// `select` and `bits_where_greater` convert between both. With AVX-512 each is one instruction; with AVX2, an integer AND and a
@@ -12,6 +12,8 @@
 #include <cstddef>
 #include <cstdint>
 #include <type_traits>
+
+#include "base/host_device.hpp"
 
 #if (defined(__AVX512F__) || defined(__AVX2__)) && !defined(FCCDA_SCALAR_PACK)
 // GCC 12 warns of the deliberate use of an undefined register in its own header (GCC bug 105593).
@@ -36,11 +38,11 @@ inline constexpr std::size_t lanes = 1;
 
 // One particle at a time.
 template <class Pack>
-requires std::is_same_v<Pack, double>
-double load(const double* from) { return *from; }
+requires std::is_same_v<Pack, double> FCCDA_HD double load(const double* from) { return *from; }
 template <class Pack>
-requires std::is_same_v<Pack, double>
-double gather(const double* from, const std::int32_t* index) { return from[*index]; }  ///< from[index[lane]] in each lane
+requires std::is_same_v<Pack, double> FCCDA_HD double gather(const double* from, const std::int32_t* index) {
+  return from[*index];
+}  ///< from[index[lane]] in each lane
 /// Component c of row index[lane] in each lane of pack c; `rows` has four doubles each. On processors that gather slowly, several times as fast as four
 /// times gather(), and a row is one half of a cache line.
 template <class Pack>
@@ -49,13 +51,13 @@ requires std::is_same_v<Pack, double>
   const double* row = rows + 4 * static_cast<std::ptrdiff_t>(*index);
   return {row[0], row[1], row[2], row[3]};
 }
-inline void store(double* to, double a) { *to = a; }
-inline double fused_multiply_add(double a, double b, double c) { return std::fma(a, b, c); }  ///< a·b + c, rounded once
-inline double inverse_square_root(double a) { return 1 / std::sqrt(a); }
-inline double length_of(double squared) { return std::sqrt(squared); }  ///< √a where 1/√a is not needed as well
-inline double select(unsigned bits, double a) { return (bits & 1u) ? a : 0.0; }
-inline unsigned bits_where_greater(double a, double b) { return a > b ? 1u : 0u; }
-inline double larger(double a, double b) { return a > b ? a : b; }
+FCCDA_HD inline void store(double* to, double a) { *to = a; }
+FCCDA_HD inline double fused_multiply_add(double a, double b, double c) { return std::fma(a, b, c); }  ///< a·b + c, rounded once
+FCCDA_HD inline double inverse_square_root(double a) { return 1 / std::sqrt(a); }
+FCCDA_HD inline double length_of(double squared) { return std::sqrt(squared); }  ///< √a where 1/√a is not needed as well
+FCCDA_HD inline double select(unsigned bits, double a) { return (bits & 1u) ? a : 0.0; }
+FCCDA_HD inline unsigned bits_where_greater(double a, double b) { return a > b ? 1u : 0u; }
+FCCDA_HD inline double larger(double a, double b) { return a > b ? a : b; }
 
 /// Calls f(lane) for each set bit, in ascending order.
 template <class F>

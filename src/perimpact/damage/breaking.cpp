@@ -2,6 +2,8 @@
 
 #include <utility>
 
+#include "perimpact/damage/pressed_strength.hpp"
+
 namespace perimpact {
 
 Breaking::Breaking(const BreakingRule& rule, const std::vector<double>& strength, const Family& family, const Particles& particles) : rule_(rule) {
@@ -24,22 +26,6 @@ Breaking::Breaking(const BreakingRule& rule, const std::vector<double>& strength
   row_has_postponed_.assign(particles.rows(), no);
 }
 
-namespace {
-
-/// Minimum bond stretch s_min of the particles of a pack, at most 0.
-template <class Pack, class Bonds, class Lengths>
-Pack least_stretch(const Bonds& bonds, const Lengths& lengths, const std::array<const double*, 3>& x, std::size_t slot) {
-  Pack most(0.0);  // 1 - |η + ξ|²/|ξ|², which increases as the stretch decreases
-  for_each_bond<Pack>(bonds, x, slot, Unbreakable{}, [&](const auto& bond) {
-    const Pack length = lengths.template length<Pack>(bond.index);
-    most = fccda::larger(most, fccda::select(bond.intact, Pack(1.0) - bond.squared_length / (length * length)));
-  });
-  const Pack squared = fccda::larger(Pack(1.0) - most, Pack(1e-12));  // lower bound for bonds of zero length
-  return squared * fccda::inverse_square_root(squared) - Pack(1.0);
-}
-
-}  // namespace
-
 void Breaking::pass_requests(const Share& share) {
   std::vector<std::uint8_t> of_slots(is_asked_.size() * fccda::byte_lanes, no);
   share.for_each_ghost([&](std::size_t slot) { of_slots[slot] = is_asked_[slot / fccda::byte_lanes]; });
@@ -51,7 +37,7 @@ void Breaking::pass_requests(const Share& share) {
 template <class Pack>
 void Breaking::find_pressed_strength(const Particles& particles, Family& family) {
   const std::array<const double*, 3> x = particles.position.pointers();
-  const Pack slope(-0.5 * rule_->hardening / rule_->stretch);
+  const double slope = hardening_slope(*rule_);
   const double* first = half_strength_.slots() != 0 ? half_strength_.component(0) : nullptr;
   const auto over = [&](const auto& bonds, const auto& lengths) {
     fccda::parallel_for(static_cast<std::ptrdiff_t>(is_asked_.size()), [&](std::ptrdiff_t eight) {
@@ -59,8 +45,7 @@ void Breaking::find_pressed_strength(const Particles& particles, Family& family)
       if (!std::exchange(is_asked_[at], no)) return;
       const std::size_t begin = at * fccda::byte_lanes;
       for (std::size_t slot = begin; slot < begin + fccda::byte_lanes; slot += fccda::lanes<Pack>) {
-        const Pack unpressed = first ? fccda::load<Pack>(first + slot) : Pack(0.5);
-        fccda::store(pressed_half_strength_.component(0) + slot, fccda::fused_multiply_add(slope, least_stretch<Pack>(bonds, lengths, x, slot), unpressed));
+        fccda::store(pressed_half_strength_.component(0) + slot, half_strength_under_pressure<Pack>(bonds, lengths, x, slot, slope, first));
       }
     });
   };

@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "base/parallel.hpp"
+#include "perimpact/damage/breakers.hpp"
 #include "perimpact/damage/breaking_rule.hpp"
 #include "perimpact/family/family.hpp"
 #include "perimpact/force/bond_loop.hpp"
@@ -16,85 +17,6 @@
 #include "perimpact/force/step_messages.hpp"
 
 namespace perimpact {
-
-/// Tensile limits of bonds, the same for all particles.
-struct TensionOnStencil {
-  std::span<const double> squared_limits;  ///< [m²] of each bond of the stencil
-  template <class Pack>
-  Pack squared_limit(std::size_t index) const {
-    return Pack(squared_limits[index]);
-  }
-};
-struct TensionOnList {
-  const double* length;  ///< [m] |ξ| of each entry
-  double longest;        ///< 1 + s_c
-  template <class Pack>
-  Pack squared_limit(std::size_t index) const {
-    const Pack limit = Pack(longest) * fccda::load<Pack>(length + index);
-    return limit * limit;
-  }
-};
-
-/// Failure in tension only: breaks bonds longer than their limit.
-template <class Limits>
-struct BreakInTension {
-  static constexpr bool is_armed = true;
-  Limits limits;
-  BeyondLimit beyond{};
-
-  BreakInTension with(const BeyondLimit& what) const { return {limits, what}; }
-  template <class Pack>
-  Pack of(std::size_t) const {
-    return Pack(0.0);
-  }
-  template <class Pack, class Neighbour>
-  unsigned bits(std::size_t index, Pack squared_length, Pack, const Neighbour&) const {
-    return fccda::bits_where_greater(squared_length, limits.template squared_limit<Pack>(index));
-  }
-};
-
-struct LengthOnStencil {
-  std::span<const double> lengths;
-  template <class Pack>
-  Pack length(std::size_t index) const {
-    return Pack(lengths[index]);
-  }
-};
-struct LengthOnList {
-  const double* lengths;
-  template <class Pack>
-  Pack length(std::size_t index) const {
-    return fccda::load<Pack>(lengths + index);
-  }
-};
-
-/// The full rule, with the strength of the two particles: |η + ξ| > (1 + s_c k) |ξ|, or < (1 - s_m k) |ξ| if this is positive; k = (k_i + k_j)/2.
-template <class Lengths, bool in_compression>
-struct BreakByStrength {
-  static constexpr bool is_armed = true;
-  Lengths lengths;
-  double stretch, compression;
-  const double* half_strength;
-  BeyondLimit beyond{};
-
-  BreakByStrength with(const BeyondLimit& what) const { return {lengths, stretch, compression, half_strength, what}; }
-  template <class Pack>
-  Pack of(std::size_t slot) const {
-    return fccda::load<Pack>(half_strength + slot);
-  }
-  template <class Pack, class Neighbour>
-  unsigned bits(std::size_t index, Pack squared_length, Pack of_i, const Neighbour& j) const {
-    using namespace fccda;
-    const Pack strength = of_i + j.of(half_strength), length = lengths.template length<Pack>(index);
-    const Pack longest = fused_multiply_add(Pack(stretch), strength, Pack(1.0)) * length;
-    unsigned broken_bits = bits_where_greater(squared_length, longest * longest);
-    if constexpr (in_compression) {
-      const Pack shortest = larger(fused_multiply_add(Pack(-compression), strength, Pack(1.0)), Pack(0.0)) * length;
-      broken_bits |= bits_where_greater(shortest * shortest, squared_length);
-    }
-    return broken_bits;
-  }
-};
 
 /// Bond failure of one body.
 class Breaking {
@@ -113,10 +35,38 @@ class Breaking {
   template <class Pack, class Bonds, class PerPack>
   void for_each_pack(const Bonds& bonds, const Particles& particles, Family& family, const PassOptions& options, SumsOfEights& sums, const PerPack& per_pack);
 
+  /// Calls f(breaker) with the cheapest breaker for the rule, for unconfined particles.
+  template <class Bonds, class F>
+  void choose(const Family& family, bool may_break, const F& f) const {
+    if (!rule_ || !may_break) return f(Unbreakable{});
+    if (half_strength_.slots() != 0) return choose_by_strength<Bonds>(family, half_strength_, f);
+    if constexpr (std::is_same_v<Bonds, StencilBonds>)
+      f(BreakInTension<TensionOnStencil>{{squared_limits_.data()}});
+    else
+      f(BreakInTension<TensionOnList>{{family.list()->length.data(), 1 + rule_->stretch}});
+  }
+  /// The same with this strength, k/2 of each slot.
+  template <class Bonds, class F>
+  void choose_by_strength(const Family& family, const ScalarArray& half_strength, const F& f) const {
+    if (rule_->compression)
+      f(BreakByStrength<Lengths<Bonds>, true>{lengths<Bonds>(family), rule_->stretch, *rule_->compression, half_strength.component(0)});
+    else
+      f(BreakByStrength<Lengths<Bonds>, false>{lengths<Bonds>(family), rule_->stretch, 0, half_strength.component(0)});
+  }
+
   bool is_armed() const { return rule_.has_value(); }
   /// Of a pass in which bonds may break.
   StepMessages messages() const { return {.refreshed = {}, .collectives = rule_ && rule_->hardening > 0 ? reduction_of(1) : Traffic{}}; }
   const std::optional<BreakingRule>& rule() const { return rule_; }
+  /// Calls visit(span) for each array that the breakers of a lattice read or write.
+  template <class Visit>
+  void visit_arrays(const Visit& visit) const {
+    visit(std::span(squared_limits_)), visit(std::span(lengths_));
+    visit(half_strength_.with_slack()), visit(pressed_half_strength_.with_slack());
+  }
+  /// k/2 [-] of each slot; of unconfined particles: empty if all are 1 and there is no compressive limit. Under compression: empty without hardening.
+  const ScalarArray& half_strength() const { return half_strength_; }
+  const ScalarArray& pressed_half_strength() const { return pressed_half_strength_; }
   double bytes() const {
     return static_cast<double>(sizeof(double) * (half_strength_.slots() + pressed_half_strength_.slots() + squared_limits_.size() + lengths_.size()) +
                                postponed_.size() + row_has_postponed_.size() + is_asked_.size());
@@ -128,27 +78,9 @@ class Breaking {
   template <class Bonds>
   Lengths<Bonds> lengths(const Family& family) const {
     if constexpr (std::is_same_v<Bonds, StencilBonds>)
-      return {lengths_};
+      return {lengths_.data()};
     else
       return {family.list()->length.data()};
-  }
-
-  /// Calls f(breaker) with the cheapest breaker for the rule, for unconfined particles.
-  template <class Bonds, class F>
-  void choose(const Family& family, bool may_break, const F& f) const {
-    if (!rule_ || !may_break) return f(Unbreakable{});
-    if (half_strength_.slots() != 0) return choose_by_strength<Bonds>(family, half_strength_, f);
-    if constexpr (std::is_same_v<Bonds, StencilBonds>)
-      f(BreakInTension<TensionOnStencil>{{squared_limits_}});
-    else
-      f(BreakInTension<TensionOnList>{{family.list()->length.data(), 1 + rule_->stretch}});
-  }
-  template <class Bonds, class F>
-  void choose_by_strength(const Family& family, const ScalarArray& half_strength, const F& f) const {
-    if (rule_->compression)
-      f(BreakByStrength<Lengths<Bonds>, true>{lengths<Bonds>(family), rule_->stretch, *rule_->compression, half_strength.component(0)});
-    else
-      f(BreakByStrength<Lengths<Bonds>, false>{lengths<Bonds>(family), rule_->stretch, 0, half_strength.component(0)});
   }
 
   /// Calls f(slot) for the postponed packs.

@@ -17,6 +17,7 @@
 
 #include <cstdint>
 #include <functional>
+#include <span>
 #include <vector>
 
 #include "perimpact/family/family.hpp"
@@ -59,11 +60,19 @@ class CorrectionFactors {
   static constexpr std::int32_t no_table = -1;
   /// The table of slots 8·eight … 8·eight + 7, or no_table if their factors differ or too few packs share them.
   std::int32_t table_of(std::size_t eight) const { return table_of_[eight]; }
+  std::span<const std::int32_t> table_of() const { return table_of_; }  ///< of all eights
 
   /// The factors of one bond, as the kernel computes them. `weights`: interpolation_weights of its direction.
   double stretch_factor(std::size_t i, std::size_t j, const Vec3d& weights) const;
   double dilatation_factor(std::size_t i, std::size_t j, const Vec3d& weights) const;  ///< of energy with a dilatation, and of volume; else 1
 
+  /// Calls visit(span) for each array that the kernels read.
+  template <class Visit>
+  void visit_arrays(const Visit& visit) const {
+    for (const VectorArray* factors : {&stretch_, &dilatation_}) visit(factors->with_slack());
+    for (const ScalarArray* factors : {&volume_, &own_family_}) visit(factors->with_slack());
+    visit(std::span(table_of_));
+  }
   double bytes() const;  ///< [bytes] of memory
 
  private:

@@ -2,9 +2,9 @@
 #pragma once
 
 #include <array>
+#include <bit>
 #include <cstddef>
 #include <cstdint>
-#include <span>
 
 #include "base/pack.hpp"
 #include "base/vec3.hpp"
@@ -14,52 +14,75 @@ namespace perimpact {
 
 using fccda::Vec3;
 
-/// Bonds of a lattice: the neighbours of consecutive particles are consecutive too.
+/// Bits of the bonds of eight neighbouring slots, a byte for each row, as seen by a pack of them.
+class BitsOfPack {
+ public:
+  FCCDA_HD BitsOfPack(std::uint8_t* bytes, std::size_t first) : bytes_(bytes), first_(first) {}
+  template <class Pack>
+  FCCDA_HD unsigned intact(std::size_t row) const {
+    return fccda::pack_bits<Pack>(bytes_[row], first_);
+  }
+  FCCDA_HD void clear(std::size_t row, unsigned broken) { bytes_[row] = static_cast<std::uint8_t>(bytes_[row] & ~(broken << first_)); }
+
+ private:
+  std::uint8_t* bytes_;
+  std::size_t first_;  // lane of the byte that is the first lane of the pack
+};
+
+/// Neighbours along the bonds of a lattice: those of consecutive particles are consecutive too.
+template <class Pack>
+struct StencilNeighbour {
+  std::ptrdiff_t slot;  // of the first lane
+  FCCDA_HD Pack of(const double* values) const { return fccda::load<Pack>(values + slot); }
+  FCCDA_HD std::size_t slot_of(std::size_t lane) const { return static_cast<std::size_t>(slot) + lane; }
+};
+
+/// Bonds of a lattice.
 class StencilBonds {
  public:
-  explicit StencilBonds(Family& family) : family_(family), offsets_(family.offsets()) {}
+  explicit StencilBonds(Family& family) : bits_(family.bytes(0)), offsets_(family.offsets().data()), rows_(family.offsets().size()) {}
 
   template <class Pack>
-  struct Neighbour {
-    std::ptrdiff_t slot;  // of the first lane
-    Pack of(const double* values) const { return fccda::load<Pack>(values + slot); }
-    std::size_t slot_of(std::size_t lane) const { return static_cast<std::size_t>(slot) + lane; }
-  };
-  std::uint8_t* bytes(std::size_t eight) const { return family_.bytes(eight); }
-  std::size_t rows(std::size_t) const { return offsets_.size(); }
-  std::size_t index(std::size_t, std::size_t row, std::size_t) const { return row; }
+  using Neighbour = StencilNeighbour<Pack>;
+  FCCDA_HD std::uint8_t* bytes(std::size_t eight) const { return bits_ + eight * rows_; }
+  FCCDA_HD BitsOfPack bits(std::size_t slot) const { return {bytes(slot / fccda::byte_lanes), slot % fccda::byte_lanes}; }
+  FCCDA_HD std::size_t rows(std::size_t) const { return rows_; }
+  FCCDA_HD std::size_t index(std::size_t, std::size_t row, std::size_t) const { return row; }
   template <class Pack>
-  Neighbour<Pack> neighbour(std::size_t slot, std::size_t index) const {
+  FCCDA_HD Neighbour<Pack> neighbour(std::size_t slot, std::size_t index) const {
     return {static_cast<std::ptrdiff_t>(slot) + offsets_[index]};
   }
 
  private:
-  Family& family_;
-  std::span<const std::ptrdiff_t> offsets_;
+  std::uint8_t* bits_;
+  const std::ptrdiff_t* offsets_;
+  std::size_t rows_;
 };
 
 /// Bonds of a point cloud: each lane has its own neighbour.
 class ListedBonds {
  public:
-  explicit ListedBonds(Family& family) : family_(family), list_(*family.list()) {}
+  explicit ListedBonds(Family& family) : bits_(family.bytes(0)), begin_(family.list()->begin.data()), neighbour_(family.list()->neighbour.data()) {}
 
   template <class Pack>
   struct Neighbour {
     const std::int32_t* slots;
-    Pack of(const double* values) const { return fccda::gather<Pack>(values, slots); }
-    std::size_t slot_of(std::size_t lane) const { return static_cast<std::size_t>(slots[lane]); }
+    FCCDA_HD Pack of(const double* values) const { return fccda::gather<Pack>(values, slots); }
+    FCCDA_HD std::size_t slot_of(std::size_t lane) const { return static_cast<std::size_t>(slots[lane]); }
   };
-  std::uint8_t* bytes(std::size_t eight) const { return family_.bytes(eight); }
-  std::size_t rows(std::size_t eight) const { return list_.begin[eight + 1] - list_.begin[eight]; }
-  std::size_t index(std::size_t eight, std::size_t row, std::size_t first) const { return (list_.begin[eight] + row) * fccda::byte_lanes + first; }
+  FCCDA_HD std::uint8_t* bytes(std::size_t eight) const { return bits_ + begin_[eight]; }
+  FCCDA_HD BitsOfPack bits(std::size_t slot) const { return {bytes(slot / fccda::byte_lanes), slot % fccda::byte_lanes}; }
+  FCCDA_HD std::size_t rows(std::size_t eight) const { return begin_[eight + 1] - begin_[eight]; }
+  FCCDA_HD std::size_t index(std::size_t eight, std::size_t row, std::size_t first) const { return (begin_[eight] + row) * fccda::byte_lanes + first; }
   template <class Pack>
-  Neighbour<Pack> neighbour(std::size_t, std::size_t index) const {
-    return {list_.neighbour.data() + index};
+  FCCDA_HD Neighbour<Pack> neighbour(std::size_t, std::size_t index) const {
+    return {neighbour_ + index};
   }
 
  private:
-  Family& family_;
-  const BondList& list_;
+  std::uint8_t* bits_;
+  const std::size_t* begin_;       // first row of each eight, and one past the last
+  const std::int32_t* neighbour_;  // of each entry
 };
 
 /// One bond of each particle of a pack in the current configuration.
@@ -81,9 +104,11 @@ struct BeyondLimit {
 /// Breaker that breaks no bond.
 struct Unbreakable {
   static constexpr bool is_armed = false;
-  Unbreakable with(const BeyondLimit&) const { return {}; }
+  template <class Visit>
+  void visit_pointers(const Visit&) {}
+  FCCDA_HD Unbreakable with(const BeyondLimit&) const { return {}; }
   template <class Pack>
-  Pack of(std::size_t) const {
+  FCCDA_HD Pack of(std::size_t) const {
     return Pack(0.0);
   }
 };
@@ -91,7 +116,7 @@ struct Unbreakable {
 /// Default per_broken: ignores broken bonds.
 struct LeaveBroken {
   template <class Bond>
-  void operator()(const Bond&) const {}
+  FCCDA_HD void operator()(const Bond&) const {}
 };
 
 /// Calls per_bond(DeformedBond) for every bond that is intact for at least one particle of the pack. `x`: components of the current positions;
@@ -100,15 +125,15 @@ struct LeaveBroken {
 /// Bonds break in this loop, where the squared length is available: this adds 10 to 20 % to its cost, a separate pass 45 %. The squared length is
 /// bitwise identical at both ends of a bond, so that they break together.
 template <class Pack, class Bonds, class Breaking, class PerBond, class PerBroken = LeaveBroken>
-inline void for_each_bond(const Bonds& bonds, const std::array<const double*, 3>& x, std::size_t slot, const Breaking& breaking, PerBond&& per_bond,
-                          [[maybe_unused]] const PerBroken& per_broken = {}) {
+FCCDA_HD inline void for_each_bond(const Bonds& bonds, const std::array<const double*, 3>& x, std::size_t slot, const Breaking& breaking, PerBond&& per_bond,
+                                   [[maybe_unused]] const PerBroken& per_broken = {}) {
   using namespace fccda;
   const Vec3<Pack> xi{load<Pack>(x[0] + slot), load<Pack>(x[1] + slot), load<Pack>(x[2] + slot)};
   const std::size_t eight = slot / byte_lanes, first = slot % byte_lanes, rows = bonds.rows(eight);
-  std::uint8_t* bytes = bonds.bytes(eight);
+  auto bits = bonds.bits(slot);
   [[maybe_unused]] const Pack strength = breaking.template of<Pack>(slot);
   for (std::size_t row = 0; row < rows; ++row) {
-    unsigned intact = pack_bits<Pack>(bytes[row], first);
+    unsigned intact = bits.template intact<Pack>(row);
     if (intact == 0) continue;
     const std::size_t index = bonds.index(eight, row, first);
     const auto neighbour = bonds.template neighbour<Pack>(slot, index);
@@ -121,8 +146,8 @@ inline void for_each_bond(const Bonds& bonds, const std::array<const double*, 3>
           *breaking.beyond.is_noted = true;
           return;
         }
-        *breaking.beyond.broken += static_cast<std::uint32_t>(__builtin_popcount(broken));
-        bytes[row] = static_cast<std::uint8_t>(bytes[row] & ~(broken << first));
+        *breaking.beyond.broken += static_cast<std::uint32_t>(std::popcount(broken));
+        bits.clear(row, broken);
         intact &= ~broken;
         per_broken(DeformedBond<Pack, Bonds>{index, neighbour, broken, between, squared_length});
       }

@@ -5,6 +5,7 @@
 #include <span>
 
 #include "base/contract.hpp"
+#include "base/host_device.hpp"
 #include "base/pack.hpp"
 #include "perimpact/family/surface_correction.hpp"
 
@@ -12,14 +13,16 @@ namespace perimpact {
 
 /// No correction.
 struct PlainBonds {
+  template <class Visit>
+  void visit_pointers(const Visit&) {}
   template <class Pack>
   struct OfParticle {};
   template <class Pack>
-  OfParticle<Pack> of(std::size_t) const {
+  FCCDA_HD OfParticle<Pack> of(std::size_t) const {
     return {};
   }
   template <class Pack, class Neighbour>
-  Pack corrected(Pack value, const OfParticle<Pack>&, std::size_t, const Neighbour&) const {
+  FCCDA_HD Pack corrected(Pack value, const OfParticle<Pack>&, std::size_t, const Neighbour&) const {
     return value;
   }
 };
@@ -27,16 +30,21 @@ struct PlainBonds {
 /// Energy-based correction: Σ_p n_p² (g_p(i) + g_p(j))/2.
 struct EnergyFactor {
   std::array<const double*, 3> g;
-  std::span<const Vec3d> half_squares;  ///< n_p²/2 of each stencil bond
+  const Vec3d* half_squares;  ///< n_p²/2 of each stencil bond
 
+  template <class Visit>
+  void visit_pointers(const Visit& visit) {
+    for (const double*& of_axis : g) visit(of_axis);
+    visit(half_squares);
+  }
   template <class Pack>
   using OfParticle = fccda::Vec3<Pack>;
   template <class Pack>
-  OfParticle<Pack> of(std::size_t slot) const {
+  FCCDA_HD OfParticle<Pack> of(std::size_t slot) const {
     return {fccda::load<Pack>(g[0] + slot), fccda::load<Pack>(g[1] + slot), fccda::load<Pack>(g[2] + slot)};
   }
   template <class Pack, class Neighbour>
-  Pack corrected(Pack value, const OfParticle<Pack>& i, std::size_t bond, const Neighbour& j) const {
+  FCCDA_HD Pack corrected(Pack value, const OfParticle<Pack>& i, std::size_t bond, const Neighbour& j) const {
     const Vec3d& w = half_squares[bond];
     Pack factor = Pack(w.x) * (i.x + j.of(g[0]));
     factor = fccda::fused_multiply_add(Pack(w.y), i.y + j.of(g[1]), factor);
@@ -49,14 +57,18 @@ struct EnergyFactor {
 struct VolumeFactor {
   const double* half_volume;  ///< V/(2 V₀)
 
+  template <class Visit>
+  void visit_pointers(const Visit& visit) {
+    visit(half_volume);
+  }
   template <class Pack>
   using OfParticle = Pack;
   template <class Pack>
-  OfParticle<Pack> of(std::size_t slot) const {
+  FCCDA_HD OfParticle<Pack> of(std::size_t slot) const {
     return fccda::load<Pack>(half_volume + slot);
   }
   template <class Pack, class Neighbour>
-  Pack corrected(Pack value, const OfParticle<Pack>& i, std::size_t, const Neighbour& j) const {
+  FCCDA_HD Pack corrected(Pack value, const OfParticle<Pack>& i, std::size_t, const Neighbour& j) const {
     return value / (i + j.of(half_volume));
   }
 };
@@ -65,14 +77,18 @@ struct VolumeFactor {
 struct FamilyFactor {
   const double* half;  ///< g/2
 
+  template <class Visit>
+  void visit_pointers(const Visit& visit) {
+    visit(half);
+  }
   template <class Pack>
   using OfParticle = Pack;
   template <class Pack>
-  OfParticle<Pack> of(std::size_t slot) const {
+  FCCDA_HD OfParticle<Pack> of(std::size_t slot) const {
     return fccda::load<Pack>(half + slot);
   }
   template <class Pack, class Neighbour>
-  Pack corrected(Pack value, const OfParticle<Pack>& i, std::size_t, const Neighbour& j) const {
+  FCCDA_HD Pack corrected(Pack value, const OfParticle<Pack>& i, std::size_t, const Neighbour& j) const {
     return value * (i + j.of(half));
   }
 };
@@ -84,16 +100,21 @@ struct Corrections {
   Dilatation dilatation;
   const double* half_of_family = nullptr;
 
+  template <class Visit>
+  void visit_pointers(const Visit& visit) {
+    stretch.visit_pointers(visit), dilatation.visit_pointers(visit);
+    visit(half_of_family);
+  }
   /// g θ, the dilatation in bond forces, where θ = g Σ is the dilatation (by_family); else θ = Σ.
   template <class Pack>
-  Pack pushing(Pack sum, std::size_t slot) const {
+  FCCDA_HD Pack pushing(Pack sum, std::size_t slot) const {
     if constexpr (!by_family) return sum;
     const Pack half = fccda::load<Pack>(half_of_family + slot);
     return sum * (half + half) * (half + half);
   }
   /// The dilatation θ, from the result of `pushing`.
   template <class Pack>
-  Pack dilatation_of(Pack pushing, std::size_t slot) const {
+  FCCDA_HD Pack dilatation_of(Pack pushing, std::size_t slot) const {
     if constexpr (!by_family) return pushing;
     const Pack half = fccda::load<Pack>(half_of_family + slot);
     return pushing / (half + half);
@@ -108,7 +129,8 @@ template <class F>
 void with_bond_corrections(const CorrectionFactors& correction, std::span<const Vec3d> half_squares, const F& f) {
   EXPECTS(correction.kind() != CorrectionKind::family);
   if (correction.kind() == CorrectionKind::energy) {
-    f(Corrections<EnergyFactor, EnergyFactor>{{correction.stretch().pointers(), half_squares}, {correction.dilatation().pointers(), half_squares}});
+    f(Corrections<EnergyFactor, EnergyFactor>{{correction.stretch().pointers(), half_squares.data()},
+                                              {correction.dilatation().pointers(), half_squares.data()}});
   } else if (correction.kind() == CorrectionKind::volume) {
     const VolumeFactor factor{correction.volume().component(0)};
     f(Corrections<VolumeFactor, VolumeFactor>{factor, factor});
@@ -119,8 +141,8 @@ void with_bond_corrections(const CorrectionFactors& correction, std::span<const 
 
 /// Calls per_pack(body, slot, corrections) for a pack; with a table of factors these are in the constants, and there are no corrections.
 template <class View, class Correction, class PerPack>
-auto with_factors(const View& body, std::size_t slot, const Correction& corrections, const PerPack& per_pack) {
-  const std::int32_t table = body.correction.table_of(slot / fccda::byte_lanes);
+FCCDA_HD auto with_factors(const View& body, std::size_t slot, const Correction& corrections, const PerPack& per_pack) {
+  const std::int32_t table = body.table_of[slot / fccda::byte_lanes];
   return table == CorrectionFactors::no_table ? per_pack(body, slot, corrections) : per_pack(body.with(body.constants.of_table(table)), slot, NoCorrections{});
 }
 

@@ -7,6 +7,7 @@
 #include <type_traits>
 #include <vector>
 
+#include "base/host_device.hpp"
 #include "base/pack.hpp"
 #include "base/parallel.hpp"
 #include "perimpact/particles/particles.hpp"
@@ -69,9 +70,9 @@ void for_each_pack(const Particles& particles, const F& f) {
   for_each_pack_in_rows<Pack>(particles, [&](std::size_t, std::size_t slot) { f(slot / fccda::byte_lanes, slot); });
 }
 
-/// Energy of a pack [J]: Σ of energy density times volume over its particles.
-template <class Pack>
-double energy_of_pack(Pack density, const Particles& particles, std::size_t slot) {
+/// Energy of a pack [J]: Σ of energy density times volume over its particles. `particles`: Particles or a ParticlesView.
+template <class Pack, class ParticlesOrView>
+FCCDA_HD double energy_of_pack(Pack density, const ParticlesOrView& particles, std::size_t slot) {
   double values[fccda::lanes<Pack>];
   fccda::store(values, density);
   double sum = 0;

@@ -1,6 +1,7 @@
 #include "perimpact/particles/advance.hpp"
 
 #include <cmath>
+#include <utility>
 
 #include "base/parallel.hpp"
 
@@ -8,25 +9,22 @@ namespace perimpact {
 
 using namespace fccda;
 
+Motion motion_of(Particles& particles, double dt) {
+  return {particles.position.writable_pointers(), particles.velocity.writable_pointers(), std::as_const(particles.force_density).pointers(),
+          dt / particles.density(), dt};
+}
+
 void advance(Particles& particles, double dt, std::span<double> travel) {
   EXPECTS(travel.size() == travel_blocks(particles));
   using Pack = NativePack;
-  const Pack kick(dt / particles.density()), drift(dt);
+  const Motion motion = motion_of(particles, dt);
   const std::size_t slots = particles.slots();
   parallel_for(static_cast<std::ptrdiff_t>(travel.size()), [&](std::ptrdiff_t block) {
     const std::size_t begin = static_cast<std::size_t>(block) * travel_block, end = std::min(begin + travel_block, slots);
     Pack fastest(0.0);
     for (std::size_t slot = begin; slot < end; slot += lanes<Pack>) {
-      Pack squared(0.0);
-      for (std::size_t c = 0; c < 3; ++c) {
-        double* x = particles.position.component(c) + slot;
-        double* v = particles.velocity.component(c) + slot;
-        const Pack velocity = fused_multiply_add(load<Pack>(particles.force_density.component(c) + slot), kick, load<Pack>(v));
-        store(v, velocity);
-        store(x, fused_multiply_add(velocity, drift, load<Pack>(x)));
-        squared = fused_multiply_add(velocity, velocity, squared);
-      }
-      fastest = larger(squared, fastest);
+      advance_pack<Pack>(motion, slot);
+      fastest = larger(squared_speed<Pack>(motion, slot), fastest);
     }
     double values[lanes<Pack>];
     store(values, fastest);

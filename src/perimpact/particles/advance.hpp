@@ -4,6 +4,7 @@
 
 #include <span>
 
+#include "perimpact/particles/advance_kernels.hpp"
 #include "perimpact/particles/particles.hpp"
 
 namespace perimpact {
@@ -13,6 +14,9 @@ inline constexpr std::size_t travel_block = 64;
 
 /// Number of blocks that cover all slots.
 inline std::size_t travel_blocks(const Particles& particles) { return (particles.slots() + travel_block - 1) / travel_block; }
+
+/// What a step of dt [s] reads and writes.
+Motion motion_of(Particles& particles, double dt);
 
 /// Advances all particles by dt [s]; travel[b] becomes the largest distance [m] travelled by a particle of block b.
 void advance(Particles& particles, double dt, std::span<double> travel);

@@ -13,6 +13,7 @@
 
 #include "perimpact/particles/cloud.hpp"
 #include "perimpact/particles/lattice.hpp"
+#include "perimpact/particles/particles_view.hpp"
 #include "perimpact/particles/share.hpp"
 #include "perimpact/particles/slot_array.hpp"
 
@@ -79,6 +80,15 @@ class Particles {
   std::size_t slack() const { return slack_; }                                                ///< of fields over these slots
   Vec3d reference(std::size_t slot) const { return lattice_ ? lattice_->centre(slot) : reference_[slot]; }  ///< [m] X
   Vec3d displacement(std::size_t slot) const { return position.at(slot) - reference(slot); }                ///< [m] u = x - X
+
+  /// Calls visit(span) for each array of particles on a lattice that kernels read or write.
+  template <class Visit>
+  void visit_arrays(const Visit& visit) const {
+    for (const VectorArray* array : {&position, &velocity, &force_density}) visit(array->with_slack());
+    visit(std::span(occupied_));
+  }
+  /// Valid until particles are moved or copied.
+  ParticlesView view() const { return {position.pointers(), velocity.pointers(), occupied_.data(), lattice_ ? nullptr : volumes_.data(), cell_volume_}; }
 
   VectorArray position;       ///< [m] x
   VectorArray velocity;       ///< [m/s] v at mid-step (symplectic Euler)

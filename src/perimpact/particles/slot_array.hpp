@@ -24,8 +24,14 @@ class SlotArray {
       : slots_(slots), slack_((slack + 7) / 8 * 8), stride_((slots + 7) / 8 * 8 + 2 * slack_), numbers_(components * stride_, value) {}
 
   std::size_t slots() const { return slots_; }
+  std::span<const double> with_slack() const { return numbers_; }  ///< of all components, one after the other
   double* component(std::size_t c) { return numbers_.data() + c * stride_ + slack_; }
   const double* component(std::size_t c) const { return numbers_.data() + c * stride_ + slack_; }
+  std::array<double*, components> writable_pointers() {
+    std::array<double*, components> all;
+    for (std::size_t c = 0; c < components; ++c) all[c] = component(c);
+    return all;
+  }
   std::array<const double*, components> pointers() const {
     std::array<const double*, components> all;
     for (std::size_t c = 0; c < components; ++c) all[c] = component(c);

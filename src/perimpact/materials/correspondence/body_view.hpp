@@ -147,6 +147,7 @@ struct KnownBonds : Bonds {
   std::uint8_t* known;
   const Family* family = nullptr;
   std::uint8_t* bytes(std::size_t eight) const { return family ? known + family->begin(eight) : known; }
+  BitsOfPack bits(std::size_t slot) const { return {bytes(slot / byte_lanes), slot % byte_lanes}; }
 };
 
 }  // namespace perimpact::correspondence

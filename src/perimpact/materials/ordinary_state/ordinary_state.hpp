@@ -24,6 +24,7 @@
 #include <numbers>
 #include <optional>
 
+#include "base/host_device.hpp"
 #include "base/pack.hpp"
 #include "perimpact/materials/elastic/influence.hpp"
 #include "perimpact/materials/elastic/isotropic.hpp"
@@ -99,7 +100,7 @@ class OrdinaryState {
   };
   /// `stretch`, `dilatation` [m⁵]: ω_e |ξ|² v V and ω_θ |ξ|² v V.
   template <class Number>
-  Folded<Number> fold(Number length, Number stretch, Number dilatation) const {
+  FCCDA_HD Folded<Number> fold(Number length, Number stretch, Number dilatation) const {
     const Number inverse = Number(1.0) / length;
     const Number c = Number(4 * b_) * stretch * inverse, theta = Number(d_) * dilatation;
     return {c * inverse, Number(-1.0) * c, Number(2 * a_) * theta * inverse, theta * inverse, Number(-1.0) * theta, inverse, Number(b_) * stretch};
@@ -107,29 +108,29 @@ class OrdinaryState {
 
   /// Contribution to θ of a bond of current length `length` [-].
   template <class Pack, class Number>
-  static Pack dilatation(const Folded<Number>& bond, Pack length) {
+  FCCDA_HD static Pack dilatation(const Folded<Number>& bond, Pack length) {
     return fccda::fused_multiply_add(Pack(bond.theta_slope), length, Pack(bond.theta_rest));
   }
   /// f v V/|η + ξ| without the dilatation term [N/m⁴], from 1/|η + ξ|.
   template <class Pack, class Number>
-  static Pack stretch_force(const Folded<Number>& bond, Pack inverse_length) {
+  FCCDA_HD static Pack stretch_force(const Folded<Number>& bond, Pack inverse_length) {
     return fccda::fused_multiply_add(Pack(bond.minus_rest), inverse_length, Pack(bond.spring));
   }
   /// The dilatation term of the same, before the factor 1/|η + ξ| [N/m³].
   template <class Pack, class Number>
-  static Pack dilatation_force(const Folded<Number>& bond, Pack theta_i, Pack theta_j) {
+  FCCDA_HD static Pack dilatation_force(const Folded<Number>& bond, Pack theta_i, Pack theta_j) {
     return Pack(bond.dilatation) * (theta_i + theta_j);
   }
   /// b ω_e e² v V [J/m³].
   template <class Pack, class Number>
-  static Pack stretch_energy(const Folded<Number>& bond, Pack length) {
+  FCCDA_HD static Pack stretch_energy(const Folded<Number>& bond, Pack length) {
     const Pack stretch = fccda::fused_multiply_add(Pack(bond.inverse_length), length, Pack(-1.0));
     return Pack(bond.energy) * stretch * stretch;
   }
   /// a θ² [J/m³].
   template <class Pack>
-  Pack dilatation_energy(Pack theta) const {
-    return Pack(a_) * theta * theta;
+  FCCDA_HD static Pack dilatation_energy(double a, Pack theta) {
+    return Pack(a) * theta * theta;
   }
 
  private:

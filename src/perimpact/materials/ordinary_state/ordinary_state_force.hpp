@@ -7,6 +7,7 @@
 #include "perimpact/damage/breaking.hpp"
 #include "perimpact/family/family.hpp"
 #include "perimpact/family/surface_correction.hpp"
+#include "perimpact/force/correction_kernels.hpp"
 #include "perimpact/force/pass.hpp"
 #include "perimpact/materials/ordinary_state/corrected_bond.hpp"
 #include "perimpact/materials/ordinary_state/ordinary_state.hpp"
@@ -25,6 +26,19 @@ class OrdinaryStateForce {
   template <class Pack>
   void pass(Particles& particles, Family& family, const PassOptions& options, SumsOfEights& sums);
 
+  /// f(view, corrections): what the passes over a body on a lattice read and write, with these bonds of `rows` rows (ordinary_state_kernels.hpp).
+  template <class Bonds, class F>
+  void with_view_of_lattice(Particles& particles, const Bonds& bonds, std::size_t rows, double dt, const F& f);
+
+  /// Calls visit(span) for each array of this object that the view of a lattice refers to.
+  template <class Visit>
+  void visit_arrays(const Visit& visit) const {
+    visit(theta_.with_slack());
+    visit(std::span(folded_)), visit(std::span(half_squares_));
+    correction_.visit_arrays(visit);
+    breaking_.visit_arrays(visit);
+  }
+
   const Breaking& breaking() const { return breaking_; }
   const OrdinaryState& law() const { return law_; }
   const CorrectionFactors& correction() const { return correction_; }
@@ -38,6 +52,11 @@ class OrdinaryStateForce {
   StepMessages messages() const;  ///< of a pass
 
  private:
+  Corrections<FamilyFactor, PlainBonds, true> corrections_by_family() const {
+    const double* half = correction_.own_family().component(0);
+    return {{half}, {}, half};
+  }
+
   OrdinaryState law_;
   Breaking breaking_;
   CorrectionFactors correction_;

@@ -160,7 +160,7 @@ void PlasticForce::evaluate(Packs which, Particles& particles, Family& family, c
                                                                   particles.position.pointers(),
                                                                   bonds,
                                                                   constants,
-                                                                  correction_,
+                                                                  correction_.table_of().data(),
                                                                   law_,
                                                                   std::as_const(strain_).pointers(),
                                                                   std::as_const(increment_).pointers(),

@@ -64,7 +64,7 @@ struct BodyView {
   std::array<const double*, 3> x;
   Bonds bonds;
   BondConstants constants;
-  const CorrectionFactors& correction;
+  const std::int32_t* table_of;  // of each eight (CorrectionFactors)
   const OrdinaryState& law;
   std::array<const double*, 6> strain, increment;
   const double *pressure, *pressure_slope, *resistance;
@@ -72,7 +72,7 @@ struct BodyView {
   double dt;  // [s], as in PassOptions
 
   BodyView with(const BondConstants& others) const {
-    return {particles, x, bonds, others, correction, law, strain, increment, pressure, pressure_slope, resistance, theta, dt};
+    return {particles, x, bonds, others, table_of, law, strain, increment, pressure, pressure_slope, resistance, theta, dt};
   }
 };
 
@@ -250,7 +250,7 @@ OfPack<Pack> force_of_pack(const View& body, std::size_t slot, const BeyondLimit
   if constexpr (with_stress)
     for (std::size_t c = 0; c < 6; ++c) store(stress[c] + slot, c < 3 ? sums[c] : Pack(0.5) * sums[c]);
   Pack energy = Pack(0.25) * work;
-  if constexpr (has_dilatation) energy += body.law.dilatation_energy(theta_i);
+  if constexpr (has_dilatation) energy += OrdinaryState::dilatation_energy(body.law.a(), theta_i);
   return {force, energy, Pack(-1.0 / 6) * virial};
 }
 
