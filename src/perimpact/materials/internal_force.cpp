@@ -1,7 +1,5 @@
 #include "perimpact/materials/internal_force.hpp"
 
-#include "perimpact/particles/sum_over_eights.hpp"
-
 namespace perimpact {
 
 using fccda::NativePack;
@@ -13,18 +11,25 @@ InternalForce::InternalForce(Kind kind, const Particles& particles) : kind_(std:
   sums_.fracture_energy.assign(eights, 0);
 }
 
-void InternalForce::evaluate(Particles& particles, Family& family, double dt) {
-  std::visit([&](auto& force) { force.template pass<NativePack>(particles, family, {.dt = dt}, sums_); }, kind_);
+void InternalForce::pass(Particles& particles, Family& family, const PassOptions& options) {
+  std::visit(
+      [&](auto& force) {
+        if (is_scalar_)
+          force.template pass<double>(particles, family, options, sums_);
+        else
+          force.template pass<NativePack>(particles, family, options, sums_);
+      },
+      kind_);
 }
+
+void InternalForce::evaluate(Particles& particles, Family& family, double dt) { pass(particles, family, {.dt = dt}); }
 
 double InternalForce::evaluate_with_energy(Particles& particles, Family& family, double dt) {
-  std::visit([&](auto& force) { force.template pass<NativePack>(particles, family, {.with_energy = true, .dt = dt}, sums_); }, kind_);
-  return exact_sum(share_.ranks(), sums_.energy);
+  pass(particles, family, {.with_energy = true, .dt = dt});
+  return elastic_energy();
 }
 
-void InternalForce::evaluate_unbroken(Particles& particles, Family& family) {
-  std::visit([&](auto& force) { force.template pass<NativePack>(particles, family, {.may_break = false}, sums_); }, kind_);
-}
+void InternalForce::evaluate_unbroken(Particles& particles, Family& family) { pass(particles, family, {.may_break = false}); }
 
 void InternalForce::evaluate_scalar(Particles& particles, Family& family, double dt) {
   std::visit([&](auto& force) { force.template pass<double>(particles, family, {.dt = dt}, sums_); }, kind_);

@@ -5,6 +5,7 @@
 
 #include "base/typelist.hpp"
 #include "perimpact/materials/all_materials.hpp"
+#include "perimpact/particles/sum_over_eights.hpp"
 
 namespace perimpact {
 
@@ -37,6 +38,15 @@ class InternalForce {
 
   /// The same as evaluate(), one particle at a time: reference for the tests.
   void evaluate_scalar(Particles& particles, Family& family, double dt = 0);
+
+  /// From now on kernels work on one particle at a time, which is the reference for devices.
+  void use_scalar_kernel() { is_scalar_ = true; }
+  /// f(kernel, sums): for a device, which performs the passes, and enters what they find in the sums.
+  template <class F>
+  void with_kernel_and_sums(const F& f) {
+    std::visit([&](auto& force) { f(force, sums_); }, kind_);
+  }
+  double elastic_energy() const { return exact_sum(share_.ranks(), sums_.energy); }  ///< [J] at the last pass that summed it
 
   std::size_t broken_bonds() const;                                                 ///< since construction, each counted once
   std::span<const std::uint32_t> broken_ends() const { return sums_.broken_ends; }  ///< since construction, of each eight
@@ -90,9 +100,12 @@ class InternalForce {
   }
 
  private:
+  void pass(Particles& particles, Family& family, const PassOptions& options);
+
   Kind kind_;
   Share share_;  // of the particles, over which sums are taken
   SumsOfEights sums_;
+  bool is_scalar_ = false;
 };
 
 }  // namespace perimpact

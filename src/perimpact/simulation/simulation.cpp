@@ -160,6 +160,13 @@ double response_time(const Setup& setup, std::span<const Body> bodies) {
   return time;
 }
 
+const Setup& checked_for(const Processor& processor, const Ranks& ranks, const Setup& setup) {
+  if (!processor.device) return setup;
+  if (ranks.size() > 1) throw fccda::InputError("--device is not supported in a run of several ranks; omit it, or run one process.");
+  expect_supported_by_devices(setup);
+  return setup;
+}
+
 /// Resolver of contact between an impactor and one body, for fccda::resolve_together.
 struct ImpactorOnBody {
   Impactor& impactor;
@@ -177,10 +184,10 @@ struct ImpactorOnBody {
 
 }  // namespace
 
-Simulation::Simulation(const Setup& setup, fccda::Stages::Announce announce, Ranks& ranks)
-    : Simulation(setup, Start(setup, fccda::Stages(std::move(announce)), ranks)) {}
+Simulation::Simulation(const Setup& setup, fccda::Stages::Announce announce, Ranks& ranks, const Processor& processor)
+    : Simulation(setup, Start(checked_for(processor, ranks, setup), fccda::Stages(std::move(announce)), ranks), {}, processor) {}
 
-Simulation::Simulation(const Setup& setup, Start start, std::vector<UserForceOnBody> user_forces)
+Simulation::Simulation(const Setup& setup, Start start, std::vector<UserForceOnBody> user_forces, const Processor& processor)
     : ranks_(start.ranks),
       setup_(setup),
       stages_(std::move(start.stages)),
@@ -188,6 +195,7 @@ Simulation::Simulation(const Setup& setup, Start start, std::vector<UserForceOnB
       filled_masses_(std::move(start.filled_masses)),
       bodies_(make_bodies(setup, std::move(start.particles), stages_)),
       boundary_conditions_(make_boundary_conditions(setup, bodies_, std::move(user_forces))),
+      processor_(processor),
       fragments_((stages_.begin("contact of fragments"), short_range_of(setup, bodies_))),
       stability_((stages_.begin("time step"), find_step(setup, bodies_, start.impactors, fragments_, warnings_))),
       clock_{stability_.step, std::max(1L, static_cast<long>(std::ceil(setup.time.end / stability_.step - 1e-6)))},
@@ -198,6 +206,10 @@ Simulation::Simulation(const Setup& setup, Start start, std::vector<UserForceOnB
       monitors_(output_of(setup, clock_.dt), bodies_, clock_) {
   for (const Body& body : bodies_) travel_.emplace_back(travel_blocks(body.particles), 0.0);
   expect_solid_bodies(bodies_, impactors_);
+  for (Body& body : bodies_) {
+    if (processor_.is_scalar) body.internal.use_scalar_kernel();
+    if (processor_.device) on_device_.emplace_back(*processor_.device, body);
+  }
   stages_.begin("diagnostics");
   const auto warn = [&](std::vector<std::string> sentences) { std::ranges::move(sentences, std::back_inserter(warnings_)); };
   warn(warnings_about_bodies(setup_, bodies_, filled_masses_));
@@ -296,7 +308,10 @@ void Simulation::rebuild(const MovingWindow& window) {
 
 void Simulation::advance_bodies() {
   for (std::size_t b = 0; b < bodies_.size(); ++b) {
-    advance(bodies_[b].particles, clock_.dt, travel_[b]);
+    if (processor_.device)
+      on_device_[b].advance(bodies_[b].particles, clock_.dt, travel_[b]);
+    else
+      advance(bodies_[b].particles, clock_.dt, travel_[b]);
     boundary_conditions_[b].impose_displacements(bodies_[b].particles, clock_.latest(), travel_[b]);
   }
 }
@@ -345,10 +360,15 @@ void Simulation::compute_bond_forces() {
   const double dt = clock_.step > 0 ? clock_.dt : 0;
   for (std::size_t b = 0; b < bodies_.size(); ++b) {
     Body& body = bodies_[b];
-    if (monitors_.samples_step(clock_))
+    const bool with_energy = monitors_.samples_step(clock_);
+    if (processor_.device) {
+      on_device_[b].evaluate(body, dt, with_energy);
+      if (with_energy) monitors_.elastic_energy()[b] = body.internal.elastic_energy();
+    } else if (with_energy) {
       monitors_.elastic_energy()[b] = body.internal.evaluate_with_energy(body.particles, body.family, dt);
-    else
+    } else {
       body.internal.evaluate(body.particles, body.family, dt);
+    }
     body.particles.share().complete_refresh();  // if no loop over packs has done so
   }
 }

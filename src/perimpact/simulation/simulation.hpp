@@ -12,6 +12,7 @@
 #include "perimpact/body/body.hpp"
 #include "perimpact/boundary_conditions/boundary_conditions.hpp"
 #include "perimpact/deck_model/setup.hpp"
+#include "perimpact/device/body_on_device.hpp"
 #include "perimpact/diagnostics/proximity.hpp"
 #include "perimpact/history/monitors.hpp"
 #include "perimpact/impactor/impactor.hpp"
@@ -43,15 +44,16 @@ struct UserForceOnBody {
 class Simulation {
  public:
   /// Throws SetupError if the Setup is invalid.
-  explicit Simulation(const Setup& setup, fccda::Stages::Announce announce = {}, Ranks& ranks = alone());
+  explicit Simulation(const Setup& setup, fccda::Stages::Announce announce = {}, Ranks& ranks = alone(), const Processor& processor = {});
   /// The same from a Start of this Setup, possibly modified.
-  Simulation(const Setup& setup, Start start, std::vector<UserForceOnBody> user_forces = {});
+  Simulation(const Setup& setup, Start start, std::vector<UserForceOnBody> user_forces = {}, const Processor& processor = {});
 
   /// Advances by one time step or, with time.relax, by one increment. If keep_on interrupts an increment, the clock is unchanged and the next
   /// call resumes it. Throws RunError.
   void step(const KeepRelaxing& keep_on = {});
 
-  Ranks& ranks() const { return *ranks_; }  ///< which share the bodies
+  Ranks& ranks() const { return *ranks_; }                   ///< which share the bodies
+  const Processor& processor() const { return processor_; }  ///< of the kernels of bodies
   const Setup& setup() const { return setup_; }
   const Clock& clock() const { return clock_; }
   const Stability& stability() const { return stability_; }
@@ -87,6 +89,7 @@ class Simulation {
       if (window.first() != first) rebuild(window);  // a restart: what follows belongs to the body there
     }
     visit_parts(visit);
+    for (BodyOnDevice& body : on_device_) body.renew();  // the visitor may write
   }
   std::uint64_t state_hash();  ///< of the whole state; the same for any number of ranks and threads. Collective.
 
@@ -154,6 +157,8 @@ class Simulation {
   std::vector<std::optional<FilledMass>> filled_masses_;
   std::vector<Body> bodies_;
   std::vector<BoundaryConditions> boundary_conditions_;  // of each body
+  Processor processor_;
+  std::vector<BodyOnDevice> on_device_;  // of each body, if there is a device
   std::optional<ShortRange> fragments_;
   Stability stability_;
   Clock clock_;  // counts increments with time.relax
