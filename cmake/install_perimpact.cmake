@@ -2,6 +2,7 @@
 #
 #   bin/perimpact
 #   lib/perimpact/libperimpact_ranks.so             opened in runs of several processes; where MPI was found
+#   lib/perimpact/libperimpact_cuda.so              opened by --device cuda; where nvcc was found
 #   share/perimpact/cases/                          to look at, copy and run
 #   share/perimpact/docs/guide/deck.schema.json     where the first line of each case's deck says
 #   share/perimpact/docs/guide/tutorials/           their decks
@@ -14,6 +15,9 @@ set(shared ${CMAKE_INSTALL_DATADIR}/perimpact)
 install(TARGETS perimpact COMPONENT perimpact)
 if(TARGET ranks_library)
   install(TARGETS ranks_library LIBRARY DESTINATION ${CMAKE_INSTALL_LIBDIR}/perimpact COMPONENT mpi)
+endif()
+if(TARGET gpu_library)
+  install(FILES ${CMAKE_BINARY_DIR}/libperimpact_cuda.so DESTINATION ${CMAKE_INSTALL_LIBDIR}/perimpact COMPONENT cuda)
 endif()
 install(DIRECTORY cases/ DESTINATION ${shared}/cases COMPONENT perimpact USE_SOURCE_PERMISSIONS PATTERN __pycache__ EXCLUDE)
 install(FILES docs/guide/deck.schema.json DESTINATION ${shared}/docs/guide COMPONENT perimpact)

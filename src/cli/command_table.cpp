@@ -6,6 +6,7 @@
 #include "cli/completion.hpp"
 #include "cli/manual.hpp"
 #include "cli/starters.hpp"
+#include "run/processor.hpp"
 
 namespace perimpact {
 
@@ -61,6 +62,12 @@ Command run_of(RunArguments& arguments) {
                           .help = "Number of processes that mpirun starts; recognised by default. 1: a run of its own, also within mpirun",
                           .target = &arguments.ranks,
                           .range = {{1, 1000000}}},
+                         {.name = "--device",
+                          .value = "DEVICE",
+                          .help = "What computes the forces between particles. cpu: the processor; cuda: the first GPU (experimental). For tests: cpu-scalar, "
+                                  "one particle at a time; emulated: a GPU emulated by the processor",
+                          .target = &arguments.device,
+                          .words = {device_words.begin(), device_words.end()}},
                      },
           .run = [&arguments] { return run_command(arguments); }};
 }

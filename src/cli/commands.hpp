@@ -27,6 +27,7 @@ struct RunArguments : DeckArguments {
   bool no_report = false;
   std::string progress = "line";  ///< or json
   int ranks = 0;                  ///< processes that a launcher has started together; 0: as its environment says
+  std::string device = "cpu";     ///< one of device_words
 };
 
 struct CheckArguments : DeckArguments {

@@ -12,7 +12,7 @@ namespace perimpact {
 deck::Deck open_deck(const DeckArguments& arguments, Messages& messages);
 
 /// The simulation of the deck; stages of the set-up are messages. A signal meanwhile ends the program, with a sentence; the folder, if any, is unlocked then.
-Simulation set_up(const deck::Deck& deck, Messages& messages, const RunFolder* folder = nullptr, Ranks& ranks = alone());
+Simulation set_up(const deck::Deck& deck, Messages& messages, const RunFolder* folder = nullptr, Ranks& ranks = alone(), const Processor& processor = {});
 
 /// --out, or output.folder of the deck. Throws InputError if --out is empty.
 std::filesystem::path results_folder(const DeckArguments& arguments, const Setup& setup);

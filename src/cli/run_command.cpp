@@ -15,6 +15,7 @@
 #include "io/output/results_folder.hpp"
 #include "perimpact/simulation/ranks_report.hpp"
 #include "run/launch.hpp"
+#include "run/processor.hpp"
 #include "run/run_folder.hpp"
 #include "run/run_loop.hpp"
 #include "run/stop_signals.hpp"
@@ -45,9 +46,11 @@ std::string ranks_text(const Simulation& simulation) {
       report.all.seconds);
 }
 
-/// "4 threads", or "2 ranks with 4 threads each".
-std::string processors_text(const Ranks& ranks) {
+/// "4 threads", "2 ranks with 4 threads each", or "NVIDIA H100, 4 threads".
+std::string processors_text(const Simulation& simulation) {
+  const Ranks& ranks = simulation.ranks();
   const std::string threads = fmt::format("{} threads", fccda::thread_count());
+  if (const Device* device = simulation.processor().device) return fmt::format("{}, {}", device->name(), threads);
   return ranks.size() == 1 ? threads : fmt::format("{} ranks with {} each", ranks.size(), fccda::thread_count() == 1 ? "1 thread" : threads);
 }
 
@@ -97,11 +100,12 @@ void print_start(const Simulation& simulation, const RunFolder& folder, Messages
   members["folder"] = folder.path().string();
   members["threads"] = fccda::thread_count();
   if (const int ranks = simulation.ranks().size(); ranks > 1) members["ranks"] = ranks;
+  if (const Device* device = simulation.processor().device) members["device"] = device->name();
   members[simulation.relaxation() ? "increments" : "steps"] = clock.steps;
   members[simulation.relaxation() ? "increment [s]" : "step [s]"] = clock.dt;
   if (folder.is_resumed()) members["resumed_at"] = clock.step;
   messages.print("start", members,
-                 fmt::format("{}, {} {} of {:.4g} s; results go to {}\n", processors_text(simulation.ranks()), clock.steps,
+                 fmt::format("{}, {} {} of {:.4g} s; results go to {}\n", processors_text(simulation), clock.steps,
                              simulation.relaxation() ? "increments" : "steps", clock.dt, folder.path().string()));
   if (folder.is_resumed()) messages.print(fmt::format("Resumed at step {} (t = {:.4g} s).\n", clock.step, clock.time()));
   if (messages.is_verbose()) messages.print(setup_text(simulation));
@@ -130,7 +134,7 @@ void print_end(const Simulation& simulation, const RunFolder& folder, int signal
 /// Runs the deck in the folder; signals are recorded from the end of the set-up. The signal that ended the run, or 0.
 int run_deck(const deck::Deck& deck, const RunFolder& folder, const RunArguments& arguments, std::optional<StopSignals>& signals, Messages& messages,
              Ranks& ranks) {
-  Simulation simulation = set_up(deck, messages, &folder, ranks);
+  Simulation simulation = set_up(deck, messages, &folder, ranks, opened_processor(arguments.device));
   signals.emplace(StopSignals::SecondInterrupt::ends_program);
   RunLoop loop(simulation);
   messages.stage("first output frame");
@@ -174,6 +178,7 @@ int run_command(const RunArguments& given) {
   const auto form = arguments.progress == "json" ? Messages::Form::json_lines : Messages::Form::text;
   Messages messages(arguments.messages, ranks.is_root() ? form : Messages::Form::none);
   return logged(messages, [&] {
+    opened_processor(arguments.device);  // before anything that takes time
     const deck::Deck deck = open_deck(arguments, messages);
     const std::filesystem::path path = results_folder(arguments, deck.setup);
     return with_places(deck, {.path = path, .lists_files = true, .is_written = ranks.is_root()}, [&] {

@@ -16,7 +16,6 @@
 #include <optional>
 #include <string>
 #include <string_view>
-#include <system_error>
 #include <thread>
 #include <vector>
 
@@ -24,6 +23,7 @@
 #include "base/parallel.hpp"
 #include "perimpact/ranks/counting_ranks.hpp"
 #include "perimpact/ranks/processes.hpp"
+#include "run/plugin.hpp"
 
 namespace perimpact {
 
@@ -59,18 +59,8 @@ Launched launched() {
   return rank && size ? Launched{*rank, *size} : Launched{};
 }
 
-/// The library that PERIMPACT_RANKS_LIBRARY names, or the one beside the program (build tree) or installed with it; empty if there is none.
-fs::path library_file() {
-  if (const char* const given = std::getenv("PERIMPACT_RANKS_LIBRARY")) return given;
-  std::error_code ignored;
-  const fs::path folder = fs::read_symlink("/proc/self/exe", ignored).parent_path();
-  for (const fs::path& file : {folder / library_name, folder / PERIMPACT_RANKS_FOLDER / library_name})
-    if (fs::exists(file, ignored)) return file;
-  return {};
-}
-
 std::unique_ptr<Processes> connect(int size) {
-  const fs::path file = library_file();
+  const fs::path file = plugin_file(library_name, "PERIMPACT_RANKS_LIBRARY");
   if (file.empty())
     throw fccda::InputError(
         fmt::format("a run of {} processes needs {}, which is not installed; install the package perimpact-mpi, or libopenmpi-dev and openmpi-bin before a "

@@ -59,7 +59,7 @@ LAYERS = {
 
 # Headers of other libraries → what a module that includes them must LINK
 LIBRARIES = {"fmt/": "fmt::fmt", "yaml-cpp/": "yaml-cpp", "udunits2.h": "${UDUNITS2_LIBRARY}", "zlib.h": "ZLIB::ZLIB", "hdf5.h": "${HDF5_LIBRARY}", "CLI/": "CLI11::CLI11", "mpi.h": "MPI::MPI_CXX"}
-ONLY_IN = {"omp.h": "base/parallel.hpp", "CLI/": "cli/parse_command_line.cpp", "mpi.h": "ranks_mpi/mpi_ranks.hpp"}  # the one home of loops over threads, and a header that is slow to compile
+ONLY_IN = {"omp.h": "base/parallel.hpp", "CLI/": "cli/parse_command_line.cpp", "mpi.h": "ranks_mpi/mpi_ranks.hpp", "cuda": "gpu_cuda/open_device.cu"}  # the one home of loops over threads, and a header that is slow to compile
 
 # Features: a line add_material(name …) declares the module in this folder. Its setup.hpp and setup.cpp are part of the deck model.
 FEATURES = {"material": "perimpact/materials", "boundary_condition": "perimpact/boundary_conditions", "contact_bounds": "perimpact/contact_bounds"}

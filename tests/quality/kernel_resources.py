@@ -1,0 +1,56 @@
+"""What ptxas reports of the kernels for GPUs: no kernel spills registers or has a stack, and none takes more registers than its kind may. More registers
+mean fewer threads that hide the latency of memory: with 56 a multiprocessor has 36 warps in flight, with 72 it has 28, with 128 it has 16.
+
+    kernel_resources.py RESOURCES [--list]
+"""
+
+import re
+import subprocess
+import sys
+from pathlib import Path
+
+SKIPPED = 77
+ARCHITECTURES = {"sm_80", "sm_90"}
+# Kind → most registers. The second visit of bonds has work in few threads.
+LIMITS = {"advance": 32, "travel": 72, "pressed strength": 56, "dilatation": 56, "force": 72, "second visit": 128}
+ENTRY = re.compile(
+    r"Compiling entry function '(\w+)' for '(sm_\d+)'.*?(\d+) bytes stack frame, (\d+) bytes spill stores, (\d+) bytes spill loads.*?Used (\d+) registers", re.DOTALL)
+
+
+def kind_of(name):
+    for start, kind in (("AdvanceKernel", "advance"), ("TravelKernel", "travel"), ("PressedStrengthKernel", "pressed strength")):
+        if start in name:
+            return kind
+    may_break = "Break" in name
+    if may_break and "Noting" not in name:
+        return "second visit"
+    return "dilatation" if "DilatationKernel" in name else "force"
+
+
+def main():
+    file = Path(sys.argv[1])
+    if not file.exists():
+        print("skipped: nvcc was not found, so that there are no kernels for GPUs")
+        return SKIPPED
+    entries = ENTRY.findall(file.read_text())
+    names = subprocess.run(["c++filt"], input="\n".join(entry[0] for entry in entries), capture_output=True, text=True, check=True).stdout.splitlines()
+    faults, most = [], {}
+    for name, (_, architecture, stack, stores, loads, registers) in zip(names, entries):
+        name = re.sub(r"^.*?run<(.*)>\(.*", r"\1", name).replace("perimpact::", "")
+        kind = kind_of(name)
+        most[architecture, kind] = max(most.get((architecture, kind), 0), int(registers))
+        if int(stack) or int(stores) or int(loads):
+            faults.append(f"{architecture}: {name} has a stack of {stack} bytes and spills {stores} bytes")
+        if int(registers) > LIMITS[kind]:
+            faults.append(f"{architecture}: {name} takes {registers} registers, and a kernel of the kind {kind} may take {LIMITS[kind]}")
+    for architecture in sorted(ARCHITECTURES):
+        for kind, limit in LIMITS.items():
+            if (architecture, kind) not in most:
+                faults.append(f"{architecture}: there is no kernel of the kind {kind}")
+            elif "--list" in sys.argv:
+                print(f"{architecture}  {kind}: {most[architecture, kind]} registers of {limit}")
+    print(*faults, sep="\n")
+    return 1 if faults else 0
+
+
+sys.exit(main())
