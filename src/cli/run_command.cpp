@@ -50,7 +50,7 @@ std::string ranks_text(const Simulation& simulation) {
 std::string processors_text(const Simulation& simulation) {
   const Ranks& ranks = simulation.ranks();
   const std::string threads = fmt::format("{} threads", fccda::thread_count());
-  if (const Device* device = simulation.processor().device) return fmt::format("{}, {}", device->name(), threads);
+  if (const std::string device = simulation.device_name(); !device.empty()) return fmt::format("{}, {}", device, threads);
   return ranks.size() == 1 ? threads : fmt::format("{} ranks with {} each", ranks.size(), fccda::thread_count() == 1 ? "1 thread" : threads);
 }
 
@@ -100,7 +100,7 @@ void print_start(const Simulation& simulation, const RunFolder& folder, Messages
   members["folder"] = folder.path().string();
   members["threads"] = fccda::thread_count();
   if (const int ranks = simulation.ranks().size(); ranks > 1) members["ranks"] = ranks;
-  if (const Device* device = simulation.processor().device) members["device"] = device->name();
+  if (const std::string device = simulation.device_name(); !device.empty()) members["device"] = device;
   members[simulation.relaxation() ? "increments" : "steps"] = clock.steps;
   members[simulation.relaxation() ? "increment [s]" : "step [s]"] = clock.dt;
   if (folder.is_resumed()) members["resumed_at"] = clock.step;

@@ -17,7 +17,7 @@ constexpr unsigned threads_of_block = 128;
 // So many blocks at a time on a multiprocessor. With 7 a thread may have 72 registers, which suffices without spills; without a number nvcc prefers some
 // spills to more registers.
 template <class Kernel>
-constexpr unsigned least_blocks = device::is_second_visit<Kernel> ? 1 : 7;
+constexpr unsigned least_blocks = device::needs_many_registers<Kernel> ? 1 : 7;
 
 template <class Kernel>
 __global__ void __launch_bounds__(threads_of_block, least_blocks<Kernel>) run(const Kernel kernel, std::size_t threads) {

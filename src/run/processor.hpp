@@ -5,7 +5,7 @@
 #include <string>
 #include <string_view>
 
-#include "perimpact/device/device.hpp"
+#include "perimpact/device/processor.hpp"
 
 namespace perimpact {
 

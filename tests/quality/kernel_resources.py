@@ -12,19 +12,24 @@ from pathlib import Path
 SKIPPED = 77
 ARCHITECTURES = {"sm_80", "sm_90"}
 # Kind → most registers. The second visit of bonds has work in few threads.
-LIMITS = {"advance": 32, "travel": 72, "pressed strength": 56, "dilatation": 56, "force": 72, "second visit": 128}
+LIMITS = {"advance": 32, "travel": 72, "pressed strength": 56, "dilatation": 64, "force": 72, "second visit": 128,
+          "dilatation of what may yield": 72, "force of what may yield": 128, "with plastic strain": 144, "second visit of what may yield": 192}
 ENTRY = re.compile(
     r"Compiling entry function '(\w+)' for '(sm_\d+)'.*?(\d+) bytes stack frame, (\d+) bytes spill stores, (\d+) bytes spill loads.*?Used (\d+) registers", re.DOTALL)
 
 
 def kind_of(name):
-    for start, kind in (("AdvanceKernel", "advance"), ("TravelKernel", "travel"), ("PressedStrengthKernel", "pressed strength")):
+    for start, kind in (("AdvanceKernel", "advance"), ("TravelKernel", "travel"), ("PressedStrengthKernel", "pressed strength"), ("HotStressKernel", "force of what may yield")):
         if start in name:
             return kind
-    may_break = "Break" in name
-    if may_break and "Noting" not in name:
+    what = "dilatation" if "DilatationKernel" in name else "force"
+    if "Plastic" in name:
+        if "Visit)2" in name:
+            return "second visit of what may yield"
+        return "with plastic strain" if "Kernel<true" in name else f"{what} of what may yield"
+    if "Break" in name and "Noting" not in name:
         return "second visit"
-    return "dilatation" if "DilatationKernel" in name else "force"
+    return what
 
 
 def main():

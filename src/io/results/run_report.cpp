@@ -220,7 +220,7 @@ Json run_report(Simulation& simulation, Outcome outcome, const std::string& fail
   if (!resumed_at.empty()) json["resumed_at_steps"] = std::vector(resumed_at.begin(), resumed_at.end());
   json["threads"] = fccda::thread_count();
   if (simulation.ranks().size() > 1) json["ranks"] = simulation.ranks().size();
-  if (const Device* device = simulation.processor().device) json["device"] = device->name();
+  if (const std::string device = simulation.device_name(); !device.empty()) json["device"] = device;
   json["wall_time [s]"] = wall_seconds;
   json["state_hash"] = fmt::format("{:016x}", simulation.state_hash());
   if (simulation.relaxation()) {

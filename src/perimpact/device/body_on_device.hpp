@@ -1,4 +1,4 @@
-/// The passes over a body by a device: advance, and internal forces with bond failure.
+/// A body whose advance and internal forces, with bond failure, a device computes.
 ///
 /// The host keeps the state. In each step force densities travel to the device, where particles advance; positions and velocities travel to the host,
 /// where contact and boundary conditions may change them, and back; force densities travel to the host, where other forces are added. Bonds stay on the
@@ -6,16 +6,17 @@
 #pragma once
 
 #include <cstddef>
-#include <cstdint>
+#include <memory>
 #include <span>
-#include <vector>
 
 #include "perimpact/body/body.hpp"
-#include "perimpact/device/bonds_of_slots.hpp"
-#include "perimpact/device/device.hpp"
-#include "perimpact/device/mirrors.hpp"
 
 namespace perimpact {
+
+class Device;
+namespace device {
+class BodyPasses;
+}
 
 /// Throws SetupError with the key of the first part of the deck that devices do not support.
 void expect_supported_by_devices(const Setup& setup);
@@ -30,34 +31,21 @@ class BodyOnDevice {
  public:
   /// `body`: of a deck that devices support. Its arrays keep their addresses and sizes.
   BodyOnDevice(Device& device, const Body& body);
+  BodyOnDevice(BodyOnDevice&&) noexcept;
+  ~BodyOnDevice();
 
   /// As advance() of the host (particles/advance.hpp).
   void advance(Particles& particles, double dt, std::span<double> travel);
   /// As InternalForce::evaluate() and, if with_energy, evaluate_with_energy(), one particle at a time.
   void evaluate(Body& body, double dt, bool with_energy);
   /// To be called when the state of the body may have been changed otherwise than by contact, boundary conditions or forces of a step.
-  void renew() { is_renewed_ = true; }
+  void renew();
 
-  /// In a step in which no bond breaks and no energy is sampled: advance() and evaluate().
-  static DeviceTraffic traffic_of_step(const Particles& particles);
+  /// In a step in which no bond breaks, no energy is sampled and no particle comes near its yield surface: advance() and evaluate().
+  static DeviceTraffic traffic_of_step(Body& body);
 
  private:
-  void pass(OrdinaryStateForce& force, Body& body, double dt, bool with_energy, SumsOfEights& sums);
-  template <class Visit>
-  void for_each_visit(const Breaking& breaking, const Body& body, const Visit& visit);
-  void upload_motion(const Particles& particles);
-  void upload_bonds(const Family& family);
-  void enter_broken(Family& family, SumsOfEights& sums);
-  void enter_energy(SumsOfEights& sums, bool in_two_visits);
-
-  Device* device_;
-  std::size_t slots_, rows_;
-  bool is_renewed_ = false;
-  device::Mirrors mirrors_;
-  device::DeviceArray<std::uint32_t> words_;  // bonds
-  device::DeviceArray<double> travel_, energy_, fracture_;
-  device::DeviceArray<device::Found> found_;
-  device::DeviceArray<std::uint32_t> any_broken_;
+  std::unique_ptr<device::BodyPasses> passes_;
 };
 
 }  // namespace perimpact

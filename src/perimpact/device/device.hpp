@@ -32,10 +32,4 @@ constexpr int device_version = 1;
 using OpenDevice = Device*(int version, std::string& reason);
 constexpr const char* open_device_name = "perimpact_open_device";
 
-/// What runs the kernels of bodies.
-struct Processor {
-  Device* device = nullptr;  ///< outlives the simulation; null: the processor of the host
-  bool is_scalar = false;    ///< there: one particle at a time, the reference for devices
-};
-
 }  // namespace perimpact

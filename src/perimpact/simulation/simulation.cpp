@@ -10,6 +10,7 @@
 
 #include "fccda/respond/resolve_together.hpp"
 #include "perimpact/deck_model/setup_error.hpp"
+#include "perimpact/device/device.hpp"
 #include "perimpact/diagnostics/setup_warnings.hpp"
 #include "perimpact/discretisation/particle_set.hpp"
 #include "perimpact/integrate/stable_step.hpp"
@@ -258,6 +259,8 @@ void Simulation::time_forces(std::string_view phase, const std::function<void()>
   timers_.timed(phase, compute);
   waiting_in_forces_ += ranks_->traffic().seconds - before;
 }
+
+std::string Simulation::device_name() const { return processor_.device ? processor_.device->name() : ""; }
 
 double Simulation::seconds_of_forces() const {
   return timers_.seconds("forces") + timers_.seconds("fragments") + timers_.seconds("relax") - waiting_in_forces_;

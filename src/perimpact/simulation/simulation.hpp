@@ -13,6 +13,7 @@
 #include "perimpact/boundary_conditions/boundary_conditions.hpp"
 #include "perimpact/deck_model/setup.hpp"
 #include "perimpact/device/body_on_device.hpp"
+#include "perimpact/device/processor.hpp"
 #include "perimpact/diagnostics/proximity.hpp"
 #include "perimpact/history/monitors.hpp"
 #include "perimpact/impactor/impactor.hpp"
@@ -52,8 +53,8 @@ class Simulation {
   /// call resumes it. Throws RunError.
   void step(const KeepRelaxing& keep_on = {});
 
-  Ranks& ranks() const { return *ranks_; }                   ///< which share the bodies
-  const Processor& processor() const { return processor_; }  ///< of the kernels of bodies
+  Ranks& ranks() const { return *ranks_; }  ///< which share the bodies
+  std::string device_name() const;          ///< of the device that computes the forces of bodies; empty without
   const Setup& setup() const { return setup_; }
   const Clock& clock() const { return clock_; }
   const Stability& stability() const { return stability_; }

@@ -2,13 +2,14 @@
 
 #include <doctest/doctest.h>
 
+#include <algorithm>
 #include <map>
 #include <random>
 #include <string>
 #include <vector>
 
-#include "perimpact/bodies.hpp"
 #include "perimpact/device/emulated_device.hpp"
+#include "perimpact/ices.hpp"
 #include "perimpact/particles/advance.hpp"
 
 namespace perimpact {
@@ -61,6 +62,17 @@ std::vector<fixtures::NamedOptions> with_failure(const fixtures::NamedOptions& o
   return all;
 }
 
+/// A force as of a boundary condition, and a relocation as by contact.
+void add_force_of_host(Particles& particles) {
+  const std::size_t slot = particles.slot_of().back();
+  particles.force_density.set(slot, particles.force_density.at(slot) + Vec3d{1e12, 0, 0});
+}
+void move_by_host(Particles& particles) {
+  const std::size_t slot = particles.slot_of().front();
+  particles.position.set(slot, particles.position.at(slot) + Vec3d{1e-7, 0, 0});
+  particles.velocity.set(slot, 0.5 * particles.velocity.at(slot));
+}
+
 constexpr double dt = 5e-8;
 constexpr int steps = 6;
 
@@ -86,9 +98,11 @@ TEST_CASE("device: state, energies and travel are bitwise those of the scalar ke
         on_device.evaluate(body, dt, with_energy);
         CHECK(body.internal.elastic_energy() == on_host.internal.elastic_energy());
         CHECK(numbers_of(body) == numbers_of(on_host));
+        for (Body* each : {&body, &on_host}) add_force_of_host(each->particles);
         advance(on_host.particles, dt, travel_of_host);
         on_device.advance(body.particles, dt, travel);
         CHECK(travel == travel_of_host);
+        for (Body* each : {&body, &on_host}) move_by_host(each->particles);
       }
       CHECK(numbers_of(body) == numbers_of(on_host));
       broken += body.internal.broken_bonds();
@@ -99,16 +113,63 @@ TEST_CASE("device: state, energies and travel are bitwise those of the scalar ke
   CHECK(broken > 1000);
 }
 
-TEST_CASE("device: what travels in a step is what traffic_of_step says, also where bonds are armed") {
-  EmulatedDevice device;
-  Body body = fixtures::body({.critical_stretch = 1.0});
-  BodyOnDevice on_device(device, body);
-  std::vector<double> travel(travel_blocks(body.particles));
-  const EmulatedDevice::Copied before = device.copied();
-  on_device.advance(body.particles, dt, travel);
-  on_device.evaluate(body, dt, false);
-  const DeviceTraffic copied{device.copied().uploaded - before.uploaded, device.copied().downloaded - before.downloaded};
-  CHECK(copied == BodyOnDevice::traffic_of_step(body.particles));
+TEST_CASE("device: ice that yields, loses its cohesion and breaks has bitwise the state and energies of the scalar kernel, for every correction") {
+  std::size_t broken = 0, yielded = 0, crushed = 0;
+  for (const fixtures::NamedIce& one : fixtures::every_ice({1.1, 0.6, 0.5})) {
+    if (one.options.points != fixtures::Points::lattice) continue;
+    for (const bool has_friction : {false, true}) {
+      CAPTURE(one.name);
+      CAPTURE(has_friction);
+      fixtures::IceOptions options = one.options;
+      options.critical_stretch = 2e-3;
+      if (has_friction) options.friction_angle = 0.5, options.failure_strain = 1e-4, options.failure_width = 30;
+      Body on_host = fixtures::ice(options), body = fixtures::ice(options);
+      for (Body* each : {&on_host, &body}) fixtures::draw_strains(*each, 3e-4);
+      on_host.internal.use_scalar_kernel();
+      EmulatedDevice device;
+      BodyOnDevice on_device(device, body);
+      for (int step = 1; step <= 6; ++step) {
+        const double e = (step < 5 ? 1 : -2) * step * 1e-3;  // at last in tension
+        for (Body* each : {&on_host, &body}) {
+          fixtures::strain_uniformly(*each, {-e, 0.5 * e, -0.2 * e, 0.1 * e, 0, 0.3 * e});
+          fixtures::shake(*each, 2e-4 * fixtures::spacing, static_cast<unsigned>(step));
+          for (const std::uint32_t slot : each->particles.slot_of()) each->particles.velocity.set(slot, 10 * each->particles.displacement(slot));
+        }
+        const bool with_energy = step % 2 == 0;
+        if (with_energy)
+          on_host.internal.evaluate_with_energy(on_host.particles, on_host.family, 1e-4);
+        else
+          on_host.internal.evaluate(on_host.particles, on_host.family, 1e-4);
+        on_device.evaluate(body, 1e-4, with_energy);
+        CHECK(body.internal.elastic_energy() == on_host.internal.elastic_energy());
+        CHECK(numbers_of(body) == numbers_of(on_host));
+      }
+      broken += body.internal.broken_bonds();
+      for (const std::uint32_t slot : body.particles.slot_of()) {
+        yielded += body.internal.plastic()->equivalent_strain(slot) > 0 ? 1 : 0;
+        crushed += body.internal.plastic()->has_lost_cohesion(slot) ? 1 : 0;
+      }
+    }
+  }
+  CHECK(broken > 1000);
+  CHECK(yielded > 1000);
+  CHECK(crushed > 0);
+}
+
+TEST_CASE("device: what travels in a step is what traffic_of_step says, of elastic bodies and of ice that yields, where bonds may break") {
+  Body bodies[] = {fixtures::body({.critical_stretch = 1.0}), fixtures::ice({.critical_stretch = 1.0}),
+                   fixtures::ice({.poissons_ratio = 0.33, .critical_stretch = 1.0})};
+  for (Body& body : bodies) {
+    EmulatedDevice device;
+    BodyOnDevice on_device(device, body);
+    std::vector<double> travel(travel_blocks(body.particles));
+    on_device.evaluate(body, 0, false);
+    const EmulatedDevice::Copied before = device.copied();
+    on_device.advance(body.particles, dt, travel);
+    on_device.evaluate(body, dt, false);
+    const DeviceTraffic copied{device.copied().uploaded - before.uploaded, device.copied().downloaded - before.downloaded};
+    CHECK(copied == BodyOnDevice::traffic_of_step(body));
+  }
 }
 
 TEST_CASE("device: after renew() it continues from a state that the host has changed") {
@@ -120,7 +181,7 @@ TEST_CASE("device: after renew() it continues from a state that the host has cha
   on_device.evaluate(body, dt, false);
   std::vector<double> travel(travel_blocks(body.particles));
   for (Body* one : {&body, &other}) {
-    *one->family.bytes(one->particles.slot_of().front() / 8) = 0;
+    std::fill_n(one->family.bytes(one->particles.slot_of().front() / 8), one->family.offsets().size(), std::uint8_t{0});
     fixtures::shake(*one, 1e-6, 9);
   }
   other.internal.evaluate(other.particles, other.family, dt);

@@ -80,29 +80,9 @@ PlasticForce::PlasticForce(OrdinaryState law, const Plasticity& plasticity, cons
   });
 }
 
-namespace {
-
-/// [J] ½ (F - F′)·Δx V of a pack: what the forces of the step do less when F becomes F′.
-template <class Pack>
-double lost_work(const Particles& particles, std::size_t slot, const Vec3<Pack>& now, double dt) {
-  Pack work(0.0);
-  for (std::size_t c = 0; c < 3; ++c)
-    work = fused_multiply_add(load<Pack>(particles.force_density.component(c) + slot) - now[c], load<Pack>(particles.velocity.component(c) + slot), work);
-  return energy_of_pack(Pack(0.5 * dt) * work, particles, slot);
-}
-
-}  // namespace
-
 template <class Pack>
 void PlasticForce::pass(Particles& particles, Family& family, const PassOptions& options, SumsOfEights& sums) {
-  evaluate<Pack>(Packs::all, particles, family, options, sums);
-  if (!options.may_break) return;
-  for (int returns = 1; flow(particles, family) && options.dt > 0 && returns < max_returns; ++returns) {
-    mark_affected(particles, family);
-    evaluate<Pack>(Packs::affected, particles, family, options, sums);
-  }
-  std::swap(pressure_, latest_pressure_);
-  particles.share().refresh({pressure_.component(0)});
+  pass_with(particles, family, options, [&](Packs which) { evaluate<Pack>(which, particles, family, options, sums); });
 }
 
 /// Bonds break, and lose their energy, where all packs are evaluated.
@@ -112,25 +92,28 @@ void PlasticForce::evaluate(Packs which, Particles& particles, Family& family, c
   const auto skips = [&](std::size_t slot) { return again && !options.with_energy && affected_[slot / byte_lanes] == 0; };
   const auto all_packs = [&](const auto& body, const auto& corrections, auto has_dilatation, auto may_break) {
     constexpr bool with_theta = decltype(has_dilatation)::value, breaks = decltype(may_break)::value;
+    const auto breaking_in = [&]([[maybe_unused]] std::size_t eight, auto breaks_here) {
+      if constexpr (decltype(breaks_here)::value)
+        return Breaks{{&sums.broken_ends[eight]}};
+      else
+        return Holds{};
+    };
     if constexpr (with_theta)
       for_each_pack<Pack>(particles, [&](std::size_t eight, std::size_t slot) {
         if (skips(slot)) return;
-        const BeyondLimit beyond{&sums.broken_ends[eight]};
+        const auto breaking = breaking_in(eight, std::bool_constant<breaks>());
         with_factors(body, slot, corrections, [&](const auto& view, std::size_t at, const auto& factors) {
-          with_constant(is_plastic_[at / byte_lanes] != 0, [&](auto plastic) {
-            dilatation_of_pack<Pack, decltype(plastic)::value, breaks>(view, at, beyond, factors, sums.fracture_energy[eight]);
-          });
+          with_constant(is_plastic_[at / byte_lanes] != 0,
+                        [&](auto plastic) { dilatation_of_pack<Pack, decltype(plastic)::value>(view, at, breaking, factors, sums.fracture_energy[eight]); });
         });
       });
     if constexpr (with_theta) particles.share().begin_refresh({theta_.component(0)});
     if (options.with_energy) std::fill(sums.energy.begin(), sums.energy.end(), 0.0);
-    std::array<double*, 6> stress;
-    for (std::size_t c = 0; c < 6; ++c) stress[c] = stress_.component(c);
+    const std::array<double*, 6> stress = stress_.writable_pointers();
     for_each_pack<Pack>(particles, [&](std::size_t eight, std::size_t slot) {
       if (skips(slot)) return;
-      const BeyondLimit beyond{&sums.broken_ends[eight]};
       double& fracture = sums.fracture_energy[eight];
-      constexpr bool breaks_here = breaks && !with_theta;  // the pass before has broken what breaks
+      const auto breaking = breaking_in(eight, std::bool_constant < breaks && !with_theta > ());  // the pass before has broken what breaks
       std::uint8_t& hot = is_hot_[slot / byte_lanes];
       const std::size_t first = slot % byte_lanes;
       if (first == 0) hot = 0;
@@ -138,13 +121,13 @@ void PlasticForce::evaluate(Packs which, Particles& particles, Family& family, c
       const OfPack<Pack> of = with_factors(body, slot, corrections, [&](const auto& view, std::size_t at, const auto& factors) {
         if (with_theta || is_plastic_[at / byte_lanes]) {
           heat();
-          if (is_plastic_[at / byte_lanes]) return force_of_pack<Pack, true, with_theta, breaks_here, true>(view, at, beyond, factors, fracture, stress);
-          return force_of_pack<Pack, false, with_theta, breaks_here, true>(view, at, beyond, factors, fracture, stress);
+          if (is_plastic_[at / byte_lanes]) return force_of_pack<Pack, true, with_theta, true>(view, at, breaking, factors, fracture, stress);
+          return force_of_pack<Pack, false, with_theta, true>(view, at, breaking, factors, fracture, stress);
         }
-        const OfPack<Pack> elastic = force_of_pack<Pack, false, with_theta, breaks_here, false>(view, at, beyond, factors, fracture, stress);
+        const OfPack<Pack> elastic = force_of_pack<Pack, false, with_theta, false>(view, at, breaking, factors, fracture, stress);
         if (bits_where_greater(elastic.energy, Pack(elastic_limit_)) != 0) {
           heat();
-          force_of_pack<Pack, false, with_theta, false, true>(view, at, beyond, factors, fracture, stress);
+          force_of_pack<Pack, false, with_theta, true>(view, at, Holds{}, factors, fracture, stress);
         }
         return elastic;
       });
@@ -154,33 +137,17 @@ void PlasticForce::evaluate(Packs which, Particles& particles, Family& family, c
       if (options.with_energy) sums.energy[eight] += energy_of_pack(of.energy, particles, slot);
     });
   };
-  const auto over = [&](const auto& bonds, const auto& constants, const auto& corrections) {
-    using Bonds = std::decay_t<decltype(bonds)>;
-    const BodyView<Bonds, std::decay_t<decltype(constants)>> body{particles,
-                                                                  particles.position.pointers(),
-                                                                  bonds,
-                                                                  constants,
-                                                                  correction_.table_of().data(),
-                                                                  law_,
-                                                                  std::as_const(strain_).pointers(),
-                                                                  std::as_const(increment_).pointers(),
-                                                                  pressure_.component(0),
-                                                                  pressure_slope_.component(0),
-                                                                  resistance_.component(0),
-                                                                  theta_.component(0),
-                                                                  options.dt};
+  const auto over = [&](const auto& body, const auto& corrections) {
     with_constant(law_.needs_dilatation(), [&](auto has_dilatation) {
       with_constant(!again && options.may_break && breaking_.is_armed(), [&](auto may_break) { all_packs(body, corrections, has_dilatation, may_break); });
     });
   };
-  if (family.list()) {
-    const ListConstants constants{law_, family.list()->length.data(), stretch_.data(), dilatation_.data(), std::as_const(direction_).pointers()};
-    over(ListedBonds(family), constants, NoCorrections{});  // the factors are in the constants
-  } else {
-    const StencilBonds bonds(family);
-    const StencilConstants constants{constants_, projection_};
-    with_bond_corrections(correction_, half_squares_, [&](const auto& corrections) { over(bonds, constants, corrections); });
-  }
+  if (!family.list()) return with_view_of_lattice(particles, StencilBonds(family), family.offsets().size(), options.dt, over);
+  const ListConstants constants{law_, family.list()->length.data(), stretch_.data(), dilatation_.data(), std::as_const(direction_).pointers()};
+  over(BodyView<ListedBonds, ListConstants>{particles.view(), ListedBonds(family), constants, correction_.table_of().data(), law_.a(),
+                                            std::as_const(strain_).pointers(), std::as_const(increment_).pointers(), pressure_.component(0),
+                                            pressure_slope_.component(0), resistance_.component(0), theta_.component(0), options.dt},
+       NoCorrections{});  // the factors are in the constants
 }
 
 template void PlasticForce::pass<double>(Particles&, Family&, const PassOptions&, SumsOfEights&);

@@ -19,8 +19,10 @@
 /// W > a0/(4 µ): with the stiffness C of a particle J2/(2 µ) + p²/(2 κ) <= ½ σ:C⁻¹:σ <= W (Cauchy-Schwarz).
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <limits>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -56,6 +58,47 @@ class PlasticForce {
   /// Writes particles.force_density and the sums of the eights; unless bonds are held together (options.may_break), particles flow.
   template <class Pack>
   void pass(Particles& particles, Family& family, const PassOptions& options, SumsOfEights& sums);
+
+  /// Which packs are evaluated: all, or again those whose plastic strain, or that of their families, has changed since.
+  enum class Packs { all, affected };
+  /// The same pass, in which evaluate(which) evaluates forces and stresses, by a device.
+  template <class Evaluate>
+  void pass_with(const Particles& particles, const Family& family, const PassOptions& options, const Evaluate& evaluate);
+  /// f(view, corrections): what the kernels read of a body on a lattice, with these bonds of `rows` rows (plastic_kernels.hpp).
+  template <class Bonds, class F>
+  void with_view_of_lattice(const Particles& particles, const Bonds& bonds, std::size_t rows, double dt, const F& f);
+  /// What an evaluation writes, or reads beside the view.
+  struct Evaluation {
+    std::array<double*, 6> stress;                   ///< [Pa] of hot slots
+    double* pressure;                                ///< [Pa]
+    std::span<std::uint8_t> is_hot;                  ///< of each eight: bit l for slot 8 n + l
+    std::span<double> dissipation;                   ///< [J] of each eight
+    std::span<const std::uint8_t> is_plastic;        ///< of each eight: its kernels are those with plastic strain
+    std::span<const std::uint8_t> affected;          ///< of each eight
+    double elastic_limit;                            ///< [J/m³] beyond it slots without plastic strain are hot too
+    std::array<std::span<const double>, 4> of_flow;  ///< what flow changes and the view refers to
+  };
+  Evaluation evaluation() {
+    return {stress_.writable_pointers(),
+            latest_pressure_.component(0),
+            is_hot_,
+            dissipation_,
+            is_plastic_,
+            affected_,
+            elastic_limit_,
+            {strain_.with_slack(), increment_.with_slack(), pressure_slope_.with_slack(), resistance_.with_slack()}};
+  }
+  std::span<const double> pressures() const { return pressure_.with_slack(); }  ///< [Pa] of each slot, which the view refers to
+
+  /// Calls visit(span) for each array of this object that kernels on a lattice read or write.
+  template <class Visit>
+  void visit_arrays(const Visit& visit) const {
+    for (const TensorArray* array : {&strain_, &increment_, &stress_}) visit(array->with_slack());
+    for (const ScalarArray* array : {&pressure_, &latest_pressure_, &pressure_slope_, &resistance_, &theta_}) visit(array->with_slack());
+    for (const auto* marks : {&is_plastic_, &affected_}) visit(std::span(*marks));
+    visit(std::span(constants_)), visit(std::span(half_squares_)), visit(std::span(projection_));
+    correction_.visit_arrays(visit);
+  }
 
   const Breaking& breaking() const { return breaking_; }
   const OrdinaryState& law() const { return law_; }
@@ -113,7 +156,7 @@ class PlasticForce {
   };
   /// `stretch`, `dilatation` [m⁵]: ω_e |ξ|² v V and ω_θ |ξ|² v V.
   template <class Number>
-  static Constants<Number> constants(const OrdinaryState& law, Number length, Number stretch, Number dilatation) {
+  FCCDA_HD static Constants<Number> constants(const OrdinaryState& law, Number length, Number stretch, Number dilatation) {
     const Number squared = length * length, inverse = Number(1.0) / squared;
     return {Number(4 * law.b()) * stretch * inverse, squared, Number(0.5) * inverse, Number(2 * law.a() * law.d()) * dilatation * inverse,
             Number(law.d()) * dilatation};
@@ -130,8 +173,6 @@ class PlasticForce {
     for (std::size_t c = 0; c < 6; ++c) array.component(c)[slot] = tensor[c];
   }
 
-  /// Which packs are evaluated: all, or again those whose plastic strain, or that of their families, has changed since.
-  enum class Packs { all, affected };
   template <class Pack>
   void evaluate(Packs which, Particles& particles, Family& family, const PassOptions& options, SumsOfEights& sums);
   bool flow(const Particles& particles, const Family& family);

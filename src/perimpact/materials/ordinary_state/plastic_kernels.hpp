@@ -2,7 +2,9 @@
 #pragma once
 
 #include <array>
-#include <span>
+#include <cstddef>
+#include <cstdint>
+#include <utility>
 
 #include "perimpact/damage/strength.hpp"
 #include "perimpact/force/bond_loop.hpp"
@@ -18,31 +20,36 @@ using PackTensor = std::array<Pack, 6>;
 
 /// ½ n·A·n of a tensor A, as factors of its components.
 template <class Number>
-std::array<Number, 6> projection_of(const Vec3<Number>& n) {
+FCCDA_HD std::array<Number, 6> projection_of(const Vec3<Number>& n) {
   const Number half(0.5);
   return {half * n.x * n.x, half * n.y * n.y, half * n.z * n.z, n.x * n.y, n.y * n.z, n.x * n.z};
 }
 
 /// The constants of the bonds of a stencil: those of whole families, and of any other table of factors.
 struct StencilConstants {
-  std::span<const PlasticForce::Constants<double>> all;  // table after table
-  std::span<const SymmetricTensor> projections;
+  const PlasticForce::Constants<double>* all;  // table after table
+  const SymmetricTensor* projections;
+  std::size_t bonds;
 
-  StencilConstants of_table(std::int32_t table) const { return {all.subspan(static_cast<std::size_t>(table) * projections.size()), projections}; }
+  template <class Visit>
+  void visit_pointers(const Visit& visit) {
+    visit(all), visit(projections);
+  }
+  FCCDA_HD StencilConstants of_table(std::int32_t table) const { return {all + static_cast<std::size_t>(table) * bonds, projections, bonds}; }
 
   template <class Pack>
-  const PlasticForce::Constants<double>& constants(std::size_t index) const {
+  FCCDA_HD const PlasticForce::Constants<double>& constants(std::size_t index) const {
     return all[index];
   }
   template <class Pack>
-  const SymmetricTensor& projection(std::size_t index) const {
+  FCCDA_HD const SymmetricTensor& projection(std::size_t index) const {
     return projections[index];
   }
 };
 
 /// Those of the bonds of a list.
 struct ListConstants {
-  const OrdinaryState& law;
+  OrdinaryState law;
   const double *length, *stretch, *dilatation;
   std::array<const double*, 3> direction;
 
@@ -60,19 +67,28 @@ struct ListConstants {
 /// What all passes over one body read and write.
 template <class Bonds, class BondConstants>
 struct BodyView {
-  const Particles& particles;
-  std::array<const double*, 3> x;
+  ParticlesView particles;
   Bonds bonds;
   BondConstants constants;
   const std::int32_t* table_of;  // of each eight (CorrectionFactors)
-  const OrdinaryState& law;
+  double a;                      // [Pa] of the law
   std::array<const double*, 6> strain, increment;
   const double *pressure, *pressure_slope, *resistance;
   double* theta;
   double dt;  // [s], as in PassOptions
 
-  BodyView with(const BondConstants& others) const {
-    return {particles, x, bonds, others, table_of, law, strain, increment, pressure, pressure_slope, resistance, theta, dt};
+  /// All pointers but those of the bonds.
+  template <class Visit>
+  void visit_pointers(const Visit& visit) {
+    particles.visit_pointers(visit);
+    constants.visit_pointers(visit);
+    visit(table_of);
+    for (auto* tensor : {&strain, &increment})
+      for (const double*& component : *tensor) visit(component);
+    visit(pressure), visit(pressure_slope), visit(resistance), visit(theta);
+  }
+  FCCDA_HD BodyView with(const BondConstants& others) const {
+    return {particles, bonds, others, table_of, a, strain, increment, pressure, pressure_slope, resistance, theta, dt};
   }
 };
 
@@ -80,14 +96,14 @@ struct BodyView {
 template <class Pack, bool is_plastic, class View>
 class Strains {
  public:
-  Strains(const View& body, std::size_t slot) : body_(body) {
+  FCCDA_HD Strains(const View& body, std::size_t slot) : body_(body) {
     if constexpr (is_plastic)
       for (std::size_t c = 0; c < 6; ++c) own_[c] = load<Pack>(body.strain[c] + slot);
   }
 
   /// s_e; bitwise equal at both ends, and with and without `is_plastic` where no strain is plastic.
   template <class Neighbour>
-  Pack of(std::size_t index, Pack squared_length, const Neighbour& neighbour) const {
+  FCCDA_HD Pack of(std::size_t index, Pack squared_length, const Neighbour& neighbour) const {
     const Pack total = fused_multiply_add(squared_length, Pack(body_.constants.template constants<Pack>(index).half_inverse), Pack(-0.5));
     if constexpr (!is_plastic) return total;
     return total - projected(body_.constants.template projection<Pack>(index), own_, body_.strain, neighbour);
@@ -95,7 +111,8 @@ class Strains {
 
   /// ½ n·(A_i + A_j)·n
   template <class Projection, class Neighbour>
-  static Pack projected(const Projection& projection, const PackTensor<Pack>& own, const std::array<const double*, 6>& of_all, const Neighbour& neighbour) {
+  FCCDA_HD static Pack projected(const Projection& projection, const PackTensor<Pack>& own, const std::array<const double*, 6>& of_all,
+                                 const Neighbour& neighbour) {
     Pack sum = Pack(projection[0]) * (own[0] + neighbour.of(of_all[0]));
     for (std::size_t c = 1; c < 6; ++c) sum = fused_multiply_add(Pack(projection[c]), own[c] + neighbour.of(of_all[c]), sum);
     return sum;
@@ -115,7 +132,7 @@ struct BreakUnderPressure {
   Pack resistance, pressure, slope;  // of the pack itself
   BeyondLimit beyond;
 
-  BreakUnderPressure(const View& view, const Strains<Pack, is_plastic, View>& its_strains, std::size_t slot, const BeyondLimit& what)
+  FCCDA_HD BreakUnderPressure(const View& view, const Strains<Pack, is_plastic, View>& its_strains, std::size_t slot, const BeyondLimit& what)
       : body(view),
         strains(its_strains),
         resistance(load<Pack>(view.resistance + slot)),
@@ -123,11 +140,11 @@ struct BreakUnderPressure {
         slope(load<Pack>(view.pressure_slope + slot)),
         beyond(what) {}
   template <class P>
-  P of(std::size_t) const {
+  FCCDA_HD P of(std::size_t) const {
     return P(0.0);
   }
   template <class Neighbour>
-  unsigned bits(std::size_t index, Pack squared_length, Pack, const Neighbour& j) const {
+  FCCDA_HD unsigned bits(std::size_t index, Pack squared_length, Pack, const Neighbour& j) const {
     const Pack squeezed = larger(pressure + j.of(body.pressure), Pack(0.0));
     const Pack limit = fused_multiply_add(slope + j.of(body.pressure_slope), squeezed, resistance + j.of(body.resistance));
     return bits_where_greater(strains.of(index, squared_length, j), limit);
@@ -136,9 +153,9 @@ struct BreakUnderPressure {
 
 /// s_e of the bonds of a pack at the step before.
 template <class Pack, class View, class Bond>
-Pack strain_before(const View& body, std::size_t slot, const Bond& bond, Pack strain) {
+FCCDA_HD Pack strain_before(const View& body, std::size_t slot, const Bond& bond, Pack strain) {
   if (body.dt == 0) return strain;
-  const std::array<const double*, 3> v = body.particles.velocity.pointers();
+  const std::array<const double*, 3> v = body.particles.velocity;
   const std::array<Pack, 3> between{bond.between.x, bond.between.y, bond.between.z};
   Pack gained(0.0);  // of |y|²
   for (std::size_t c = 0; c < 3; ++c) {
@@ -154,26 +171,42 @@ Pack strain_before(const View& body, std::size_t slot, const Bond& bond, Pack st
 
 /// What bonds that just broke held in the middle of the step [J] at this end, ¼ k |ξ|² s_n s_{n+1}, summed over the lanes that `bond.intact` names.
 template <class Pack, class View, class Bond, class Correction>
-[[gnu::noinline, gnu::cold]] double released_energy(const View& body, std::size_t slot, const Bond& bond, Pack strain, const Correction& correction) {
+FCCDA_COLD FCCDA_HD double released_energy(const View& body, std::size_t slot, const Bond& bond, Pack strain, const Correction& correction) {
   const auto& constants = body.constants.template constants<Pack>(bond.index);
   const Pack held = Pack(0.25) * Pack(constants.spring) * Pack(constants.squared) * strain * strain_before<Pack>(body, slot, bond, strain);
   const Pack density = correction.stretch.corrected(held, correction.stretch.template of<Pack>(slot), bond.index, bond.neighbour);
   return energy_of_pack(select(bond.intact, density), body.particles, slot);
 }
 
-/// Calls for_each_bond with the breaker of the pack where bonds may break.
-template <class Pack, bool is_plastic, bool may_break, class View, class PerBond, class PerBroken>
-void over_bonds(const View& body, const Strains<Pack, is_plastic, View>& strains, std::size_t slot, const BeyondLimit& beyond, const PerBond& per_bond,
-                const PerBroken& per_broken) {
-  if constexpr (may_break)
-    for_each_bond<Pack>(body.bonds, body.x, slot, BreakUnderPressure<Pack, is_plastic, View>(body, strains, slot, beyond), per_bond, per_broken);
-  else
-    for_each_bond<Pack>(body.bonds, body.x, slot, Unbreakable{}, per_bond);
+/// Whether bonds break in a pass: not.
+struct Holds {
+  static constexpr bool may_break = false;
+  template <class Pack, bool is_plastic, class View>
+  FCCDA_HD Unbreakable breaker(const View&, const Strains<Pack, is_plastic, View>&, std::size_t) const {
+    return {};
+  }
+};
+
+/// Bonds beyond their limit break.
+struct Breaks {
+  static constexpr bool may_break = true;
+  BeyondLimit beyond;
+  template <class Pack, bool is_plastic, class View>
+  FCCDA_HD BreakUnderPressure<Pack, is_plastic, View> breaker(const View& body, const Strains<Pack, is_plastic, View>& strains, std::size_t slot) const {
+    return {body, strains, slot, beyond};
+  }
+};
+
+/// Calls for_each_bond with the breaker of the pack.
+template <class Pack, bool is_plastic, class View, class Breaking, class PerBond, class PerBroken>
+FCCDA_HD void over_bonds(const View& body, const Strains<Pack, is_plastic, View>& strains, std::size_t slot, const Breaking& breaking, const PerBond& per_bond,
+                         const PerBroken& per_broken) {
+  for_each_bond<Pack>(body.bonds, body.particles.position, slot, breaking.template breaker<Pack, is_plastic>(body, strains, slot), per_bond, per_broken);
 }
 
 /// Elastic dilatation of the particles of one pack. Adds to `fracture` [J].
-template <class Pack, bool is_plastic, bool may_break, class View, class Correction>
-void dilatation_of_pack(const View& body, std::size_t slot, const BeyondLimit& beyond, const Correction& correction, double& fracture) {
+template <class Pack, bool is_plastic, class View, class Breaking, class Correction>
+FCCDA_HD void dilatation_of_pack(const View& body, std::size_t slot, const Breaking& breaking, const Correction& correction, double& fracture) {
   const Strains<Pack, is_plastic, View> strains(body, slot);
   const auto of_i = correction.dilatation.template of<Pack>(slot);
   const auto term_of = [&](const auto& bond, Pack strain) {
@@ -182,24 +215,25 @@ void dilatation_of_pack(const View& body, std::size_t slot, const BeyondLimit& b
   };
   const auto strain_of = [&](const auto& bond) { return strains.of(bond.index, bond.squared_length, bond.neighbour); };
   Pack theta(0.0);
+  [[maybe_unused]] double released = 0;
   [[maybe_unused]] Pack gone(0.0), gone_before(0.0);
   [[maybe_unused]] bool broke = false;
-  over_bonds<Pack, is_plastic, may_break>(
-      body, strains, slot, beyond, [&](const auto& bond) { theta += term_of(bond, strain_of(bond)); },
+  over_bonds<Pack, is_plastic>(
+      body, strains, slot, breaking, [&](const auto& bond) { theta += term_of(bond, strain_of(bond)); },
       [&](const auto& bond) {
         const Pack strain = strain_of(bond);
-        fracture += released_energy<Pack>(body, slot, bond, strain, correction);
+        released += released_energy<Pack>(body, slot, bond, strain, correction);
         gone += term_of(bond, strain);
         gone_before += term_of(bond, strain_before<Pack>(body, slot, bond, strain));
         broke = true;
       });
-  if constexpr (may_break)
+  if constexpr (Breaking::may_break)
     if (broke) [[unlikely]] {
       Pack before(0.0);
-      for_each_bond<Pack>(body.bonds, body.x, slot, Unbreakable{},
+      for_each_bond<Pack>(body.bonds, body.particles.position, slot, Unbreakable{},
                           [&](const auto& bond) { before += term_of(bond, strain_before<Pack>(body, slot, bond, strain_of(bond))); });
-      const Pack density = Pack(body.law.a()) * ((theta + gone) * (before + gone_before) - theta * before);
-      fracture += energy_of_pack(density, body.particles, slot);
+      const Pack density = Pack(body.a) * ((theta + gone) * (before + gone_before) - theta * before);
+      fracture += released + energy_of_pack(density, body.particles, slot);
     }
   store(body.theta + slot, theta);
 }
@@ -213,9 +247,9 @@ struct OfPack {
 };
 
 /// Force density, energy and pressure of the particles of one pack; with_stress: writes their stress too.
-template <class Pack, bool is_plastic, bool has_dilatation, bool may_break, bool with_stress, class View, class Correction>
-OfPack<Pack> force_of_pack(const View& body, std::size_t slot, const BeyondLimit& beyond, const Correction& correction, double& fracture,
-                           std::array<double*, 6> stress) {
+template <class Pack, bool is_plastic, bool has_dilatation, bool with_stress, class View, class Breaking, class Correction>
+FCCDA_HD OfPack<Pack> force_of_pack(const View& body, std::size_t slot, const Breaking& breaking, const Correction& correction, double& fracture,
+                                    const std::array<double*, 6>& stress) {
   const Strains<Pack, is_plastic, View> strains(body, slot);
   const auto stretch_of_i = correction.stretch.template of<Pack>(slot);
   [[maybe_unused]] const auto dilatation_of_i = correction.dilatation.template of<Pack>(slot);
@@ -244,14 +278,60 @@ OfPack<Pack> force_of_pack(const View& body, std::size_t slot, const BeyondLimit
     }
     virial = fused_multiply_add(pull, squared, virial);
   };
-  over_bonds<Pack, is_plastic, may_break>(body, strains, slot, beyond, add, [&](const auto& bond) {
-    fracture += released_energy<Pack>(body, slot, bond, strains.of(bond.index, bond.squared_length, bond.neighbour), correction);
+  [[maybe_unused]] double released = 0;
+  over_bonds<Pack, is_plastic>(body, strains, slot, breaking, add, [&](const auto& bond) {
+    released += released_energy<Pack>(body, slot, bond, strains.of(bond.index, bond.squared_length, bond.neighbour), correction);
   });
+  if constexpr (Breaking::may_break)
+    if (released != 0) [[unlikely]]
+      fracture += released;
   if constexpr (with_stress)
     for (std::size_t c = 0; c < 6; ++c) store(stress[c] + slot, c < 3 ? sums[c] : Pack(0.5) * sums[c]);
   Pack energy = Pack(0.25) * work;
-  if constexpr (has_dilatation) energy += OrdinaryState::dilatation_energy(body.law.a(), theta_i);
+  if constexpr (has_dilatation) energy += OrdinaryState::dilatation_energy(body.a, theta_i);
   return {force, energy, Pack(-1.0 / 6) * virial};
 }
 
+/// [J] ½ (F - F′)·Δx V of a pack: what the forces of the step do less when F becomes F′, `now`.
+template <class Pack>
+double lost_work(const Particles& particles, std::size_t slot, const Vec3<Pack>& now, double dt) {
+  Pack work(0.0);
+  for (std::size_t c = 0; c < 3; ++c)
+    work = fused_multiply_add(load<Pack>(particles.force_density.component(c) + slot) - now[c], load<Pack>(particles.velocity.component(c) + slot), work);
+  return energy_of_pack(Pack(0.5 * dt) * work, particles, slot);
+}
+
 }  // namespace perimpact::plastic
+
+namespace perimpact {
+
+template <class Bonds, class F>
+void PlasticForce::with_view_of_lattice(const Particles& particles, const Bonds& bonds, std::size_t rows, double dt, const F& f) {
+  const plastic::BodyView<Bonds, plastic::StencilConstants> body{particles.view(),
+                                                                 bonds,
+                                                                 {constants_.data(), projection_.data(), rows},
+                                                                 correction_.table_of().data(),
+                                                                 law_.a(),
+                                                                 std::as_const(strain_).pointers(),
+                                                                 std::as_const(increment_).pointers(),
+                                                                 pressure_.component(0),
+                                                                 pressure_slope_.component(0),
+                                                                 resistance_.component(0),
+                                                                 theta_.component(0),
+                                                                 dt};
+  with_bond_corrections(correction_, half_squares_, [&](const auto& corrections) { f(body, corrections); });
+}
+
+template <class Evaluate>
+void PlasticForce::pass_with(const Particles& particles, const Family& family, const PassOptions& options, const Evaluate& evaluate) {
+  evaluate(Packs::all);
+  if (!options.may_break) return;
+  for (int returns = 1; flow(particles, family) && options.dt > 0 && returns < max_returns; ++returns) {
+    mark_affected(particles, family);
+    evaluate(Packs::affected);
+  }
+  std::swap(pressure_, latest_pressure_);
+  particles.share().refresh({pressure_.component(0)});
+}
+
+}  // namespace perimpact

@@ -1,0 +1,309 @@
+#include "perimpact/device/body_passes.hpp"
+
+#include <algorithm>
+#include <array>
+#include <optional>
+#include <type_traits>
+#include <utility>
+#include <vector>
+
+#include "perimpact/particles/advance.hpp"
+
+namespace perimpact::device {
+
+using fccda::byte_lanes;
+
+namespace {
+
+/// f(array) for the components of an array, without slack.
+template <class F>
+void for_each_component(const VectorArray& array, const F& f) {
+  for (const double* component : array.pointers()) f(std::span<const double>(component, array.slots()));
+}
+
+template <class Force>
+constexpr bool is_supported = std::is_same_v<Force, OrdinaryStateForce> || std::is_same_v<Force, PlasticForce>;
+
+}  // namespace
+
+BodyPasses::BodyPasses(Device& device, const Body& body)
+    : device_(&device),
+      slots_(body.particles.slots()),
+      rows_(body.family.offsets().size()),
+      mirrors_(device),
+      words_(device, words_of(slots_, rows_)),
+      travel_(device, travel_blocks(body.particles)),
+      energy_(device, slots_),
+      fracture_(device, slots_),
+      found_(device, slots_),
+      is_hot_(device, slots_),
+      any_broken_(device, 1) {
+  const auto add = [&](const auto& array) { mirrors_.add(array); };
+  body.particles.visit_arrays(add);
+  add(body.family.offsets());
+  body.internal.with_kernel([&](const auto& force) {
+    if constexpr (is_supported<std::decay_t<decltype(force)>>) force.visit_arrays(add);
+  });
+  upload_bonds(body.family);
+}
+
+void BodyPasses::upload_motion(const Particles& particles) {
+  for (const VectorArray* array : {&particles.position, &particles.velocity}) for_each_component(*array, [&](auto part) { mirrors_.upload(part); });
+}
+
+void BodyPasses::advance(Particles& particles, double dt, std::span<double> travel) {
+  if (is_renewed_) upload_motion(particles);
+  for_each_component(particles.force_density, [&](auto part) { mirrors_.upload(part); });
+  const Motion motion = mirrors_.on_device(motion_of(particles, dt));
+  device_->launch(AdvanceKernel{motion}, slots_);
+  device_->launch(TravelKernel{motion, slots_, travel_.data()}, travel.size());
+  for (VectorArray* array : {&particles.position, &particles.velocity})
+    for (double* component : array->writable_pointers()) mirrors_.download(std::span(component, slots_));
+  device_->download(travel.data(), travel_.data(), travel.size_bytes());
+}
+
+void BodyPasses::evaluate(Body& body, double dt, bool with_energy) {
+  if (std::exchange(is_renewed_, false)) {
+    upload_bonds(body.family);
+    if (const PlasticForce* plastic = body.internal.plastic()) mirrors_.upload(plastic->pressures());
+    has_flowed_ = true;
+  }
+  upload_motion(body.particles);
+  body.internal.with_kernel_and_sums([&](auto& force, SumsOfEights& sums) {
+    if constexpr (is_supported<std::decay_t<decltype(force)>>) pass(force, body, dt, with_energy, sums);
+  });
+}
+
+/// visit(breaker) for each visit of the bonds in a pass in which they may break.
+template <class Visit>
+void BodyPasses::for_each_visit(const Breaking& breaking, const Body& body, const Visit& visit) {
+  breaking.choose<StencilBonds>(body.family, true, [&](const auto& of_host) {
+    using Breaker = std::decay_t<decltype(of_host)>;
+    const Breaker breaker = mirrors_.on_device(of_host);
+    if constexpr (!Breaker::is_armed) {
+      visit(breaker);
+    } else {
+      visit(Noting<Breaker>{breaker});
+      if (breaking.rule()->hardening == 0) return visit(breaker);
+      breaking.choose_by_strength<StencilBonds>(body.family, breaking.pressed_half_strength(), [&](const auto& pressed_of_host) {
+        const auto pressed = mirrors_.on_device(pressed_of_host);
+        device_->launch(PressedStrengthKernel{bonds(body.family), pressed.lengths, mirrors_.on_device(body.particles.view()).position,
+                                              hardening_slope(*breaking.rule()), mirrors_.at(breaking.half_strength().component(0)),
+                                              mirrors_.writable(breaking.pressed_half_strength().component(0)), found_.data()},
+                        slots_);
+        visit(pressed);
+      });
+    }
+  });
+}
+
+void BodyPasses::pass(OrdinaryStateForce& force, Body& body, double dt, bool with_energy, SumsOfEights& sums) {
+  lower_flag();
+  const Findings findings = this->findings();
+  const bool has_dilatation = force.law().needs_dilatation();
+  force.with_view_of_lattice(body.particles, bonds(body.family), rows_, dt, [&](const auto& view_of_host, const auto& corrections_of_host) {
+    const auto view = mirrors_.on_device(view_of_host);
+    const auto corrections = mirrors_.on_device(corrections_of_host);
+    using Corrections = std::decay_t<decltype(corrections)>;
+    const auto launch = [&](const Kernel& kernel) { device_->launch(kernel, slots_); };
+    if (has_dilatation) {
+      for_each_visit(force.breaking(), body, [&](const auto& breaker) {
+        launch(DilatationKernel<std::decay_t<decltype(breaker)>, Corrections>{view, breaker, corrections, findings});
+      });
+      with_constant(with_energy, [&](auto energy) {
+        launch(ForceKernel<Unbreakable, Corrections, true, energy.value>{view, {}, corrections, findings, with_energy});
+      });
+      return;
+    }
+    for_each_visit(force.breaking(), body, [&](const auto& breaker) {
+      using Breaker = std::decay_t<decltype(breaker)>;
+      if constexpr (Breaker::is_armed && !is_noting<Breaker>)
+        launch(ForceKernel<Breaker, Corrections, false, true>{view, breaker, corrections, findings, with_energy});
+      else
+        with_constant(with_energy, [&](auto energy) {
+          launch(ForceKernel<Breaker, Corrections, false, energy.value>{view, breaker, corrections, findings, with_energy});
+        });
+    });
+  });
+  download_forces(body.particles);
+  if (is_flag_raised()) enter_broken(body.family, sums);
+  const std::optional<BreakingRule>& rule = force.breaking().rule();
+  if (with_energy) enter_energy(sums, rule && rule->hardening > 0 && !has_dilatation);
+}
+
+void BodyPasses::pass(PlasticForce& force, Body& body, double dt, bool with_energy, SumsOfEights& sums) {
+  force.pass_with(body.particles, body.family, {.with_energy = with_energy, .dt = dt}, [&](PlasticForce::Packs which) {
+    const bool again = which == PlasticForce::Packs::affected;
+    const PlasticForce::Evaluation evaluation = force.evaluation();
+    upload_flow(evaluation, again);
+    lower_flag();
+    const PlasticSlots slots = plastic_slots(evaluation, body.particles, !again || with_energy);
+    launch(force, slots, body, {.may_break = !again && force.breaking().is_armed(), .dt = dt});
+    enter_stress(evaluation);
+    if (again) enter_return(evaluation, slots, body.particles, dt);
+    download_forces(body.particles);
+    if (is_flag_raised()) enter_broken(body.family, sums);
+    if (with_energy) enter_density(body.particles, sums);
+  });
+}
+
+/// What the host has changed since the last evaluation.
+void BodyPasses::upload_flow(const PlasticForce::Evaluation& evaluation, bool again) {
+  if (again) mirrors_.upload(evaluation.affected);
+  if (!std::exchange(has_flowed_, false)) return;
+  for (const std::span<const double> array : evaluation.of_flow) mirrors_.upload(array);
+  mirrors_.upload(evaluation.is_plastic);
+}
+
+PlasticSlots BodyPasses::plastic_slots(const PlasticForce::Evaluation& evaluation, Particles& particles, bool all) const {
+  PlasticSlots slots{mirrors_.at(evaluation.is_plastic.data()),
+                     all ? nullptr : mirrors_.at(evaluation.affected.data()),
+                     {},
+                     {},
+                     mirrors_.at(evaluation.pressure),
+                     energy_.data(),
+                     is_hot_.data()};
+  for (std::size_t c = 0; c < 3; ++c) slots.force[c] = mirrors_.at(particles.force_density.component(c));
+  for (std::size_t c = 0; c < 6; ++c) slots.stress[c] = mirrors_.at(evaluation.stress[c]);
+  return slots;
+}
+
+/// The kernels of PlasticForce::evaluate().
+void BodyPasses::launch(PlasticForce& force, const PlasticSlots& slots, const Body& body, const PassOptions& options) {
+  const Findings findings = this->findings();
+  const double elastic_limit = force.evaluation().elastic_limit;
+  force.with_view_of_lattice(body.particles, bonds(body.family), rows_, options.dt, [&](const auto& view_of_host, const auto& corrections_of_host) {
+    const auto view = mirrors_.on_device(view_of_host);
+    const auto corrections = mirrors_.on_device(corrections_of_host);
+    using Corrections = std::decay_t<decltype(corrections)>;
+    const auto dilatations = [&]<Visit visit>() {
+      device_->launch(PlasticDilatationKernel<false, visit, Corrections>{view, corrections, findings, slots}, slots_);
+      device_->launch(PlasticDilatationKernel<true, visit, Corrections>{view, corrections, findings, slots}, slots_);
+    };
+    const auto forces = [&]<bool with_theta, Visit visit>() {
+      device_->launch(PlasticForceKernel<false, with_theta, visit, Corrections>{view, corrections, findings, slots}, slots_);
+      device_->launch(PlasticForceKernel<true, with_theta, visit, Corrections>{view, corrections, findings, slots}, slots_);
+    };
+    if (force.law().needs_dilatation()) {
+      if (options.may_break) {
+        dilatations.template operator()<Visit::first>();
+        dilatations.template operator()<Visit::second>();
+      } else {
+        dilatations.template operator()<Visit::only>();
+      }
+      forces.template operator()<true, Visit::only>();
+      return;
+    }
+    if (options.may_break) {
+      forces.template operator()<false, Visit::first>();
+      forces.template operator()<false, Visit::second>();
+    } else {
+      forces.template operator()<false, Visit::only>();
+    }
+    device_->launch(HotStressKernel<Corrections>{view, corrections, slots, elastic_limit}, slots_);
+  });
+}
+
+/// Which stresses are known, and those, if there are any; pressures.
+void BodyPasses::enter_stress(const PlasticForce::Evaluation& evaluation) {
+  std::vector<std::uint8_t> is_hot(slots_);
+  device_->download(is_hot.data(), is_hot_.data(), is_hot.size());
+  std::fill(evaluation.is_hot.begin(), evaluation.is_hot.end(), std::uint8_t{0});
+  for (std::size_t slot = 0; slot < slots_; ++slot)
+    if (is_hot[slot] != 0) {
+      evaluation.is_hot[slot / byte_lanes] |= static_cast<std::uint8_t>(1u << (slot % byte_lanes));
+      has_flowed_ = true;
+    }
+  if (has_flowed_)
+    for (double* component : evaluation.stress) mirrors_.download(std::span(component, slots_));
+  mirrors_.download(std::span(evaluation.pressure, slots_));
+}
+
+/// The work that forces do less after the last flow, before they are entered.
+void BodyPasses::enter_return(const PlasticForce::Evaluation& evaluation, const PlasticSlots& slots, Particles& particles, double dt) {
+  std::array<std::vector<double>, 3> now;
+  for (std::size_t c = 0; c < 3; ++c) {
+    now[c].resize(slots_);
+    device_->download(now[c].data(), slots.force[c], slots_ * sizeof(double));
+  }
+  for (std::size_t slot = 0; slot < slots_; ++slot)
+    if (!slots.affected || evaluation.affected[slot / byte_lanes] != 0)
+      evaluation.dissipation[slot / byte_lanes] += plastic::lost_work(particles, slot, Vec3d{now[0][slot], now[1][slot], now[2][slot]}, dt);
+}
+
+/// The energy of each eight, from densities.
+void BodyPasses::enter_density(const Particles& particles, SumsOfEights& sums) {
+  std::vector<double> density(slots_);
+  device_->download(density.data(), energy_.data(), density.size() * sizeof(double));
+  std::fill(sums.energy.begin(), sums.energy.end(), 0.0);
+  for (std::size_t slot = 0; slot < slots_; ++slot) sums.energy[slot / byte_lanes] += energy_of_pack(density[slot], particles, slot);
+}
+
+void BodyPasses::download_forces(Particles& particles) {
+  for (double* component : particles.force_density.writable_pointers()) mirrors_.download(std::span(component, slots_));
+}
+
+BondsOfSlots BodyPasses::bonds(const Family& family) const { return {words_.data(), mirrors_.at(family.offsets().data()), rows_}; }
+
+Findings BodyPasses::findings() const { return {found_.data(), energy_.data(), fracture_.data(), any_broken_.data()}; }
+
+void BodyPasses::lower_flag() {
+  constexpr std::uint32_t no = 0;
+  device_->upload(any_broken_.data(), &no, sizeof no);
+}
+
+bool BodyPasses::is_flag_raised() const {
+  std::uint32_t any = 0;
+  device_->download(&any, any_broken_.data(), sizeof any);
+  return any != 0;
+}
+
+void BodyPasses::upload_bonds(const Family& family) {
+  const std::size_t words = words_of_slot(rows_);
+  std::vector<std::uint32_t> of_slots(words_of(slots_, rows_), 0);
+  for (std::size_t eight = 0; eight < slots_ / byte_lanes; ++eight) {
+    const std::uint8_t* const bytes = family.bytes(eight);
+    for (std::size_t row = 0; row < rows_; ++row)
+      fccda::for_each_bit(bytes[row], [&](std::size_t lane) {
+        of_slots[first_word(eight * byte_lanes + lane, words) + row / bonds_of_word * slots_of_group] |= 1u << (row % bonds_of_word);
+      });
+  }
+  device_->upload(words_.data(), of_slots.data(), of_slots.size() * sizeof(std::uint32_t));
+}
+
+/// The bonds that broke, in the family and the sums.
+void BodyPasses::enter_broken(Family& family, SumsOfEights& sums) {
+  const std::size_t words = words_of_slot(rows_);
+  std::vector<Found> found(slots_);
+  std::vector<double> fracture(slots_);
+  std::vector<std::uint32_t> of_slots(words_of(slots_, rows_));
+  device_->download(found.data(), found_.data(), found.size() * sizeof(Found));
+  device_->download(fracture.data(), fracture_.data(), fracture.size() * sizeof(double));
+  device_->download(of_slots.data(), words_.data(), of_slots.size() * sizeof(std::uint32_t));
+  for (std::size_t slot = 0; slot < slots_; ++slot) {
+    if (found[slot] != Found::broken) continue;
+    const std::size_t eight = slot / byte_lanes, lane = slot % byte_lanes;
+    std::uint8_t* const bytes = family.bytes(eight);
+    for (std::size_t row = 0; row < rows_; ++row) {
+      const std::uint32_t word = of_slots[first_word(slot, words) + row / bonds_of_word * slots_of_group];
+      const auto is_intact = static_cast<unsigned>(word >> (row % bonds_of_word)) & 1u, was_intact = (unsigned{bytes[row]} >> lane) & 1u;
+      sums.broken_ends[eight] += was_intact - is_intact;
+      bytes[row] = static_cast<std::uint8_t>((bytes[row] & ~(1u << lane)) | (is_intact << lane));
+    }
+    sums.fracture_energy[eight] += fracture[slot];
+  }
+}
+
+/// The energy of each eight. `in_two_visits`: as the host adds it where particles are postponed, these last.
+void BodyPasses::enter_energy(SumsOfEights& sums, bool in_two_visits) {
+  std::vector<double> energy(slots_);
+  std::vector<Found> found(slots_, Found::nothing);
+  device_->download(energy.data(), energy_.data(), energy.size() * sizeof(double));
+  if (in_two_visits) device_->download(found.data(), found_.data(), found.size() * sizeof(Found));
+  std::fill(sums.energy.begin(), sums.energy.end(), 0.0);
+  for (const bool is_postponed : {false, true})
+    for (std::size_t slot = 0; slot < slots_; ++slot)
+      if ((found[slot] != Found::nothing) == is_postponed) sums.energy[slot / byte_lanes] += energy[slot];
+}
+
+}  // namespace perimpact::device

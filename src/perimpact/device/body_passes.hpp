@@ -1,0 +1,57 @@
+/// What a device launches and copies for one body: behind BodyOnDevice, apart from which nothing needs the kernels.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <span>
+
+#include "perimpact/body/body.hpp"
+#include "perimpact/device/bonds_of_slots.hpp"
+#include "perimpact/device/device.hpp"
+#include "perimpact/device/mirrors.hpp"
+
+namespace perimpact::device {
+
+/// The functions are those of BodyOnDevice.
+class BodyPasses {
+ public:
+  BodyPasses(Device& device, const Body& body);
+
+  void advance(Particles& particles, double dt, std::span<double> travel);
+  void evaluate(Body& body, double dt, bool with_energy);
+  void renew() { is_renewed_ = true; }
+
+ private:
+  void pass(OrdinaryStateForce& force, Body& body, double dt, bool with_energy, SumsOfEights& sums);
+  void pass(PlasticForce& force, Body& body, double dt, bool with_energy, SumsOfEights& sums);
+  void upload_flow(const PlasticForce::Evaluation& evaluation, bool again);
+  PlasticSlots plastic_slots(const PlasticForce::Evaluation& evaluation, Particles& particles, bool all) const;
+  void launch(PlasticForce& force, const PlasticSlots& slots, const Body& body, const PassOptions& options);
+  void enter_stress(const PlasticForce::Evaluation& evaluation);
+  void enter_return(const PlasticForce::Evaluation& evaluation, const PlasticSlots& slots, Particles& particles, double dt);
+  void enter_density(const Particles& particles, SumsOfEights& sums);
+  void download_forces(Particles& particles);
+  BondsOfSlots bonds(const Family& family) const;
+  Findings findings() const;
+  void lower_flag();
+  bool is_flag_raised() const;
+  template <class Visit>
+  void for_each_visit(const Breaking& breaking, const Body& body, const Visit& visit);
+  void upload_motion(const Particles& particles);
+  void upload_bonds(const Family& family);
+  void enter_broken(Family& family, SumsOfEights& sums);
+  void enter_energy(SumsOfEights& sums, bool in_two_visits);
+
+  Device* device_;
+  std::size_t slots_, rows_;
+  bool is_renewed_ = false;
+  bool has_flowed_ = false;  // perhaps, since what flow changes was last uploaded
+  Mirrors mirrors_;
+  DeviceArray<std::uint32_t> words_;  // bonds
+  DeviceArray<double> travel_, energy_, fracture_;
+  DeviceArray<Found> found_;
+  DeviceArray<std::uint8_t> is_hot_;
+  DeviceArray<std::uint32_t> any_broken_;
+};
+
+}  // namespace perimpact::device

@@ -1,0 +1,86 @@
+/// Visits of the bonds of a slot by a device.
+#pragma once
+
+#include <atomic>
+#include <cstddef>
+#include <cstdint>
+
+#include "base/host_device.hpp"
+#include "perimpact/force/bond_loop.hpp"
+
+namespace perimpact::device {
+
+/// Visits of the bonds of a slot in a pass in which bonds may break. Most slots have no bond beyond its limit, and the code for broken bonds takes twice as
+/// many registers: it is therefore left to a second kernel, for the slots in which the first finds such bonds.
+enum class Found : std::uint8_t { nothing, beyond_limit, broken };
+
+/// What the passes over bonds find for each slot; in device memory.
+struct Findings {
+  Found* found;
+  double* energy;             // [J]
+  double* fracture;           // [J] released by bonds that broke; where found is broken
+  std::uint32_t* any_broken;  // not zero if bonds broke anywhere
+};
+
+/// Sets a flag that several threads may set.
+FCCDA_HD inline void raise(std::uint32_t* flag) {
+#if defined(__CUDA_ARCH__)
+  atomicExch(flag, 1u);
+#else
+  std::atomic_ref(*flag).store(1, std::memory_order_relaxed);
+#endif
+}
+
+/// Breaker of the first visit: breaks nothing, but notes whether the breaker would.
+template <class Breaker>
+struct Noting {
+  static constexpr bool is_armed = true;
+  Breaker breaker;
+  unsigned* noted = nullptr;
+  BeyondLimit beyond{};
+
+  template <class Visit>
+  void visit_pointers(const Visit& visit) {
+    breaker.visit_pointers(visit);
+  }
+  template <class Pack>
+  FCCDA_HD Pack of(std::size_t slot) const {
+    return breaker.template of<Pack>(slot);
+  }
+  template <class Pack, class Neighbour>
+  FCCDA_HD unsigned bits(std::size_t index, Pack squared_length, Pack of_i, const Neighbour& j) const {
+    *noted |= breaker.bits(index, squared_length, of_i, j);
+    return 0;
+  }
+};
+template <class Breaker>
+inline constexpr bool is_noting = false;
+template <class Breaker>
+inline constexpr bool is_noting<Noting<Breaker>> = true;
+
+/// True for kernels of the second visit, in which few threads have work, and for those that sum tensors.
+template <class Kernel>
+inline constexpr bool needs_many_registers = false;
+
+/// The first visit of the bonds of one slot: evaluate(noted) sets *noted if one of them is beyond its limit.
+template <class Evaluate>
+FCCDA_HD void first_visit(const Findings& findings, std::size_t slot, const Evaluate& evaluate) {
+  unsigned noted = 0;
+  evaluate(&noted);
+  findings.found[slot] = noted ? Found::beyond_limit : Found::nothing;
+}
+
+/// The second visit, where the first has found such bonds: evaluate(beyond, fracture) breaks them, and adds what they release.
+template <class Evaluate>
+FCCDA_HD void second_visit(const Findings& findings, std::size_t slot, const Evaluate& evaluate) {
+  if (findings.found[slot] == Found::nothing) return;
+  std::uint32_t broken = 0;
+  double fracture = 0;
+  evaluate(BeyondLimit{&broken}, fracture);
+  if (broken == 0) return;
+  findings.found[slot] = Found::broken;
+  findings.fracture[slot] = fracture;
+  raise(findings.any_broken);
+}
+
+}  // namespace perimpact::device
