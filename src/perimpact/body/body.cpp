@@ -10,6 +10,7 @@
 #include "perimpact/body/bending.hpp"
 #include "perimpact/deck_model/setup_error.hpp"
 #include "perimpact/discretisation/particle_set.hpp"
+#include "perimpact/family/cloud_part_of.hpp"
 #include "perimpact/materials/ordinary_state/stencil_sums.hpp"
 #include "perimpact/particles/sum_over_eights.hpp"
 
@@ -28,6 +29,13 @@ Share share_of(const BodySetup& setup, const BodySolid& solid, Ranks& ranks, int
   const Lattice lattice = lattice_that_fills(setup, solid);
   const PartitionRule rule = partition_rule_of(setup, lattice);
   return Share(ranks, lattice, rule.reach, rule.keeps_columns, first_rank);
+}
+
+/// Particles of this rank in a cloud.
+Particles particles_of(const BodySetup& setup, const Cloud& cloud, Ranks& ranks, int first_rank) {
+  const double density = setup.elastic().density;
+  if (ranks.size() == 1) return Particles(cloud, density);
+  return Particles(cloud, density, Share(ranks, part_of(setup, cloud, ranks, first_rank)));
 }
 
 /// One particle in each cell of the lattice whose centre is inside the solid.
@@ -117,6 +125,11 @@ PartitionRule partition_rule_of(const BodySetup& setup, const Lattice& whole) {
   return {whole.cells, stencil_of(setup, whole).reach(), floats};
 }
 
+CloudPart part_of(const BodySetup& setup, const Cloud& cloud, const Ranks& ranks, int first_rank) {
+  const CloudPartition partition((cloud.points.size() + fccda::byte_lanes - 1) / fccda::byte_lanes, ranks.size(), first_rank);
+  return cloud_part_of(cloud, largest_reach(setup.family.as<FamilyRule>(), setup.horizon_ratio, cloud), partition, ranks.rank());
+}
+
 IsotropicElastic elastic_of(const BodySetup& setup) {
   const std::optional<double> modulus = setup.elastic().youngs_modulus;
   if (!modulus) throw SetupError("bodies." + setup.name + ".material.youngs_modulus", fmt::format("body {} has no Young's modulus; give it.", setup.name));
@@ -125,7 +138,7 @@ IsotropicElastic elastic_of(const BodySetup& setup) {
 }
 
 Particles make_particles(const BodySetup& setup, const Discretisation& discretisation, Ranks& ranks, int first_rank) {
-  if (const auto* cloud = std::get_if<Cloud>(&discretisation)) return with_velocity(setup, Particles(*cloud, setup.elastic().density));
+  if (const auto* cloud = std::get_if<Cloud>(&discretisation)) return with_velocity(setup, particles_of(setup, *cloud, ranks, first_rank));
   const BodySolid& solid = std::get<BodySolid>(discretisation);
   return with_velocity(setup, filled(setup, solid, share_of(setup, solid, ranks, first_rank)));
 }

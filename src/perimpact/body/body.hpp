@@ -62,6 +62,9 @@ Particles make_particles(const BodySetup& setup, Share share);
 /// How ranks divide its lattice: not across z where it floats, since the water under it acts on columns.
 PartitionRule partition_rule_of(const BodySetup& setup, const Lattice& whole);
 
+/// The part of this rank in a point cloud. `first_rank`: see Share.
+CloudPart part_of(const BodySetup& setup, const Cloud& cloud, const Ranks& ranks, int first_rank);
+
 /// Elastic constants of its material, 3-D or 2-D.
 IsotropicElastic elastic_of(const BodySetup& setup);
 

@@ -19,6 +19,7 @@ struct Memory {
   double setting_up = 0;  ///< largest addition during the set-up
   double pictures = 0;    ///< largest addition while an output frame is written
   double rubble = 0;      ///< addition with `contact.fragments` if all bonds have broken, in rubble as dense as the solid
+  double decks = 0;       ///< of at_rest: points of clouds in the deck, which every rank has
 
   std::vector<double> particles;  ///< of each body, their number
   std::vector<double> of_bodies;  ///< of each body, for its own arrays

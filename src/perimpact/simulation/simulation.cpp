@@ -271,10 +271,7 @@ void Simulation::move_window(MovingWindow& window, long moves) {
   const std::size_t b = window.body();
   const Body& body = bodies_[b];
   std::size_t slots_before = 0;
-  for (std::size_t before = 0; before < b; ++before) {
-    const Particles& particles = bodies_[before].particles;
-    slots_before += particles.whole_lattice() ? particles.whole_lattice()->slots() : particles.slots();
-  }
+  for (std::size_t before = 0; before < b; ++before) slots_before += bodies_[before].particles.slots_of_whole();
   MovedState moved(captured, {body.name, b, slots_before, window.cells_of(moves), body.particles, body.family});
   visit_all(moved);
   boundary_conditions_[b].restart_potentials();

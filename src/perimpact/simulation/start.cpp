@@ -7,8 +7,8 @@
 
 #include "perimpact/deck_model/setup_error.hpp"
 #include "perimpact/impactor/in_plane.hpp"
+#include "perimpact/simulation/expect_parts.hpp"
 #include "perimpact/simulation/memory.hpp"
-#include "perimpact/simulation/ranks_support.hpp"
 
 namespace perimpact {
 
@@ -143,8 +143,7 @@ Start::Read Start::read(const Setup& setup, fccda::Stages& stages, const Ranks& 
   return all;
 }
 
-Start::Start(const Setup& setup, fccda::Stages given, Ranks& all)
-    : Start(setup, given, (expect_supported_by(all.size(), setup), read(setup, given, all)), all) {}
+Start::Start(const Setup& setup, fccda::Stages given, Ranks& all) : Start(setup, given, read(setup, given, all), all) {}
 
 Start::Start(const Setup& setup, fccda::Stages& given, Read read, Ranks& all)
     : ranks(&all),
