@@ -5,34 +5,32 @@
 #include <algorithm>
 #include <cstddef>
 #include <cstdint>
+#include <span>
 #include <vector>
+
+#include "perimpact/particles/measured_load.hpp"
 
 namespace perimpact {
 
-/// How the eights of a cloud are divided among ranks: a pure function of three numbers.
+/// How the eights of a cloud are divided among ranks: a pure function of three numbers, and of what they cost in an earlier run if that was measured.
 class CloudPartition {
  public:
   /// A small cloud is divided among fewer ranks than there are, from `first_rank` on, which is one of them.
-  CloudPartition(std::size_t eights, int ranks, int first_rank = 0)
-      : eights_(eights), ranks_(ranks), first_rank_(first_rank), parts_(static_cast<int>(std::min(eights, static_cast<std::size_t>(ranks)))) {}
+  CloudPartition(std::size_t eights, int ranks, int first_rank = 0, std::span<const MeasuredPart> load = {});
 
-  int parts() const { return parts_; }
-  std::size_t eights() const { return eights_; }
+  int parts() const { return static_cast<int>(cuts_.size()) - 1; }
+  std::size_t eights() const { return cuts_.back(); }
   int rank_of(int part) const { return (part + first_rank_) % ranks_; }
   /// Part of a rank; parts() if it has none, whose range is empty.
-  int part_of(int rank) const { return std::min((rank - first_rank_ + ranks_) % ranks_, parts_); }
-  /// First eight of a part, and one past the last of that before it.
-  std::size_t begin(int part) const { return eights_ * static_cast<std::size_t>(part) / static_cast<std::size_t>(parts_); }
-  std::size_t end(int part) const { return part == parts_ ? eights_ : begin(part + 1); }
-  int owner_of(std::size_t eight) const {
-    int part = static_cast<int>(eight * static_cast<std::size_t>(parts_) / eights_);
-    while (eight >= end(part)) ++part;  // rounding down
-    return rank_of(part);
-  }
+  int part_of(int rank) const { return std::min((rank - first_rank_ + ranks_) % ranks_, parts()); }
+  /// First eight of a part, and one past its last.
+  std::size_t begin(int part) const { return cuts_[static_cast<std::size_t>(part)]; }
+  std::size_t end(int part) const { return part == parts() ? eights() : cuts_[static_cast<std::size_t>(part) + 1]; }
+  int owner_of(std::size_t eight) const { return rank_of(static_cast<int>(std::ranges::upper_bound(cuts_, eight) - cuts_.begin()) - 1); }
 
  private:
-  std::size_t eights_;
-  int ranks_, first_rank_, parts_;
+  int ranks_, first_rank_;
+  std::vector<std::size_t> cuts_;  // first eight of each part, and the number of all
 };
 
 struct CloudPart {

@@ -49,10 +49,10 @@ std::size_t slots_in(std::span<const SlotRun> runs) {
 
 Share::Share() : ranks_(&alone()) {}
 
-Share::Share(Ranks& ranks, const Lattice& whole, int reach, bool keeps_columns, int first_rank) : ranks_(&alone()) {
+Share::Share(Ranks& ranks, const Lattice& whole, const PartitionRule& rule, int first_rank) : ranks_(&alone()) {
+  EXPECTS(rule.cells == whole.cells);
   if (ranks.size() == 1) return;
   ranks_ = &ranks;
-  const PartitionRule rule{whole.cells, reach, keeps_columns};
   const std::vector<CellBox> boxes = boxes_of_ranks(rule, ranks.size(), first_rank);
   LatticePart part{.whole = whole, .lattice = whole, .owned = boxes[static_cast<std::size_t>(ranks.rank())]};
   const CellBox local = with_ghosts(part.owned, rule);
@@ -62,7 +62,7 @@ Share::Share(Ranks& ranks, const Lattice& whole, int reach, bool keeps_columns, 
   part.boxes = boxes;
   part.interior = without_rim(owned, part.lattice.cells, rule);
   std::vector<Peer> peers;
-  for (const ExchangedCells& cells : exchanged_cells(boxes, ranks.rank(), reach))
+  for (const ExchangedCells& cells : exchanged_cells(boxes, ranks.rank(), rule.reach))
     peers.push_back({cells.rank, runs_of(part.lattice, shifted(cells.send, part.offset)), runs_of(part.lattice, shifted(cells.receive, part.offset))});
   std::vector<SlotRun> runs = in_whole_eights(runs_of(part.lattice, owned));
   plan_ = std::make_shared<const Plan>(Plan{.part = std::move(part), .owned = std::move(runs), .peers = std::move(peers)});
@@ -107,6 +107,14 @@ std::size_t Share::slots_of_whole() const {
 void Share::complete_refresh() const {
   if (!plan_) return;
   for (const std::function<void()>& complete : std::exchange(plan_->under_way, {})) complete();
+}
+
+CellBox Share::part_of(int rank) const {
+  EXPECTS(plan_);
+  if (is_of_lattice()) return lattice_part().boxes[static_cast<std::size_t>(rank)];
+  const CloudPartition& partition = cloud_part().partition;
+  const int part = partition.part_of(rank);
+  return {{static_cast<int>(partition.begin(part)), 0, 0}, {static_cast<int>(partition.end(part)), 1, 1}};
 }
 
 int Share::parts() const {

@@ -22,6 +22,7 @@
 #include "perimpact/particles/cell_box.hpp"
 #include "perimpact/particles/cloud_part.hpp"
 #include "perimpact/particles/lattice.hpp"
+#include "perimpact/particles/partition.hpp"
 #include "perimpact/ranks/ranks.hpp"
 
 namespace perimpact {
@@ -44,9 +45,9 @@ class Share {
  public:
   /// The whole body, in a run of one rank.
   Share();
-  /// The share of this rank in a body on that lattice. `keeps_columns`: columns along z are not divided. A small body is divided among fewer ranks than there
-  /// are, from `first_rank` on; the others own nothing of it.
-  Share(Ranks& ranks, const Lattice& whole, int reach, bool keeps_columns, int first_rank = 0);
+  /// The share of this rank in a body on that lattice, of whose cells the rule is. A small body is divided among fewer ranks than there are, from `first_rank`
+  /// on; the others own nothing of it.
+  Share(Ranks& ranks, const Lattice& whole, const PartitionRule& rule, int first_rank = 0);
   /// That part of a cloud, which is of this rank.
   Share(Ranks& ranks, CloudPart part);
 
@@ -63,6 +64,7 @@ class Share {
   std::span<const SlotRun> owned() const;                                                       ///< whole eights, ascending; requires a partial share
   std::size_t slots_of_whole() const;                                                           ///< requires a partial share
   int parts() const;                                                                            ///< number of ranks that own slots; requires a partial share
+  CellBox part_of(int rank) const;                                                              ///< as MeasuredPart::cells; requires a partial share
 
   /// Sets the values of ghosts to those of their owners. `arrays`: by slot of lattice().
   template <class T>

@@ -199,19 +199,20 @@ double share_of_slots(const Lattice& whole, const CellBox& cells) {
   return static_cast<double>(own.slots()) / static_cast<double>(whole.slots());
 }
 
-double share_of_memory(const Setup& setup, std::span<const Discretisation> bodies, const Ranks& ranks) {
+double share_of_memory(const Setup& setup, std::span<const Discretisation> bodies, const Ranks& ranks, std::span<const MeasuredLoad> loads) {
   if (ranks.size() == 1) return 1;
   double largest = 0;
   RanksInTurn in_turn(ranks.size());
   for (std::size_t b = 0; b < bodies.size(); ++b) {
+    const MeasuredLoad load = b < loads.size() ? loads[b] : MeasuredLoad{};
     if (const auto* cloud = std::get_if<Cloud>(&bodies[b])) {
-      const CloudPart part = part_of(setup.bodies[b], *cloud, ranks, in_turn.first_rank());
+      const CloudPart part = part_of(setup.bodies[b], *cloud, ranks, in_turn.first_rank(), load);
       in_turn.add(part.partition.parts());
       largest = std::max(largest, static_cast<double>(part.eights.size()) / static_cast<double>(part.partition.eights()));
       continue;
     }
     const Lattice whole = lattice_that_fills(setup.bodies[b], std::get<BodySolid>(bodies[b]));
-    const PartitionRule rule = partition_rule_of(setup.bodies[b], whole);
+    const PartitionRule rule = partition_rule_of(setup.bodies[b], whole, load);
     const std::vector<CellBox> boxes = boxes_of_ranks(rule, ranks.size(), in_turn.first_rank());
     in_turn.add(count_parts(boxes));
     largest = std::max(largest, share_of_slots(whole, with_ghosts(boxes[static_cast<std::size_t>(ranks.rank())], rule)));

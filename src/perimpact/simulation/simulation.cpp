@@ -177,8 +177,8 @@ struct ImpactorOnBody {
 
 }  // namespace
 
-Simulation::Simulation(const Setup& setup, fccda::Stages::Announce announce, Ranks& ranks)
-    : Simulation(setup, Start(setup, fccda::Stages(std::move(announce)), ranks)) {}
+Simulation::Simulation(const Setup& setup, fccda::Stages::Announce announce, Ranks& ranks, std::span<const MeasuredLoad> loads)
+    : Simulation(setup, Start(setup, fccda::Stages(std::move(announce)), ranks, loads)) {}
 
 Simulation::Simulation(const Setup& setup, Start start, std::vector<UserForceOnBody> user_forces)
     : ranks_(start.ranks),

@@ -35,7 +35,7 @@ TEST_CASE("share: each cell is owned by one rank, and a cell of a rank has the c
     std::mutex mutex;
     bool centres_agree = true;
     run_in_process(scene.ranks, [&](Ranks& ranks) {
-      const Share share(ranks, whole, scene.reach, false);
+      const Share share(ranks, whole, PartitionRule{whole.cells, scene.reach});
       const Lattice own = share.lattice();
       const std::lock_guard guard(mutex);
       for (std::size_t slot = 0; slot < own.slots(); ++slot) {
@@ -60,7 +60,7 @@ TEST_CASE("share: after a refresh every cell within reach of an owned one has th
     const Lattice whole = lattice_of(scene);
     std::mutex mutex;
     run_in_process(scene.ranks, [&](Ranks& ranks) {
-      const Share share(ranks, whole, scene.reach, false);
+      const Share share(ranks, whole, PartitionRule{whole.cells, scene.reach});
       const Lattice own = share.lattice();
       constexpr double stale = -1;
       std::vector<double> values(own.slots(), stale), twice = values;
@@ -89,7 +89,7 @@ TEST_CASE("share: flags that a rank sets for its ghosts reach their owners, who 
     std::vector<std::uint8_t> wanted(whole.slots(), 0), found(whole.slots(), 0);
     std::mutex mutex;
     run_in_process(scene.ranks, [&](Ranks& ranks) {
-      const Share share(ranks, whole, scene.reach, false);
+      const Share share(ranks, whole, PartitionRule{whole.cells, scene.reach});
       std::vector<std::uint8_t> flags(share.lattice().slots(), 0);
       std::vector<std::size_t> set;
       share.for_each_ghost([&](std::size_t slot) {
@@ -113,7 +113,7 @@ TEST_CASE("share: numbers of the eights of the body are gathered in order, and e
       const Lattice whole = lattice_of(scene);
       std::mutex mutex;
       run_in_process(scene.ranks, [&](Ranks& ranks) {
-        const Share share(ranks, whole, scene.reach, false);
+        const Share share(ranks, whole, PartitionRule{whole.cells, scene.reach});
         const std::size_t eights = share.lattice().slots() / 8;
         std::vector<double> own(eights * per_eight, -1);
         const auto number = [&](std::size_t eight, std::size_t n) { return number_of(share.whole_slot(8 * eight) / 8 * per_eight + n); };
@@ -141,7 +141,7 @@ TEST_CASE("share: numbers of listed particles are gathered by their slots in the
   const Lattice whole = lattice_of(scenes[0]);
   std::mutex mutex;
   run_in_process(3, [&](Ranks& ranks) {
-    const Share share(ranks, whole, 3, false);
+    const Share share(ranks, whole, PartitionRule{whole.cells, 3});
     std::vector<std::uint32_t> slots;
     std::vector<double> own;  // two of each
     for (std::size_t slot = 0; slot < share.lattice().slots(); ++slot)
@@ -171,7 +171,7 @@ TEST_CASE("share: a shift takes the numbers of the cells further on from whichev
         CAPTURE(count);
         CAPTURE(per_eight);
         run_in_process(count, [&](Ranks& ranks) {
-          const Share share(ranks, whole, 3, false);
+          const Share share(ranks, whole, PartitionRule{whole.cells, 3});
           const Lattice lattice = share.is_whole() ? whole : share.lattice();
           const auto number = [&](std::size_t whole_eight, std::size_t n) { return number_of(whole_eight * per_eight + n); };
           const auto owns = [&](std::size_t eight) { return share.is_whole() || share.owned_cells().contains(lattice.cell(8 * eight)); };
@@ -195,10 +195,10 @@ TEST_CASE("share: a shift takes the numbers of the cells further on from whichev
 
 TEST_CASE("share: columns are kept whole on request, and a body of few blocks of cells is divided among that many ranks, from the first given one on") {
   const Lattice sheet{.cells = {16, 12, 8}, .spacing = 1};
-  run_in_process(4, [&](Ranks& ranks) { REQUIRE(Share(ranks, sheet, 3, true).owned_cells().size(2) == 8); });
+  run_in_process(4, [&](Ranks& ranks) { REQUIRE(Share(ranks, sheet, PartitionRule{sheet.cells, 3, true}).owned_cells().size(2) == 8); });
   const Lattice small{.cells = {8, 2, 1}, .spacing = 1};
   run_in_process(4, [&](Ranks& ranks) {
-    const Share share(ranks, small, 1, false, 3);
+    const Share share(ranks, small, PartitionRule{small.cells, 1}, 3);
     REQUIRE(share.parts() == 2);
     const bool is_owner = ranks.rank() == 3 || ranks.rank() == 0;
     REQUIRE(share.owned_cells().cells() == (is_owner ? 8 : 0));

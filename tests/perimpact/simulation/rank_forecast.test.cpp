@@ -222,7 +222,7 @@ TEST_CASE("rank forecast: shares, ghosts and neighbours are those of the ranks o
     const std::vector<BodyShare> shares = shares_of(body, ranks);
     std::mutex mutex;
     run_in_process(ranks, [&](Ranks& its) {
-      const Share share(its, whole, rule.reach, rule.keeps_columns);
+      const Share share(its, whole, rule);
       const BodyShare& forecast = shares[static_cast<std::size_t>(its.rank())];
       const std::lock_guard guard(mutex);
       CHECK(forecast.neighbours == share.peers());

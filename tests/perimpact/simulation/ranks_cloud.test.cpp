@@ -80,4 +80,34 @@ TEST_CASE("ranks: a point cloud continues bitwise from the state of another numb
   CHECK(expected == fixtures::trace(setup, 1).hashes.back());
 }
 
+TEST_CASE("ranks: bodies divided by the load that was measured in another run, lattices and clouds, end in the state of one rank") {
+  const Setup lattices = fixtures::rubble({.critical_stretch = 2e-3}), clouds = fixtures::scattered(lattices);
+  for (const Setup* setup : {&lattices, &clouds}) {
+    const std::uint64_t expected = fixtures::trace(*setup, 1).hashes.back();
+    std::vector<MeasuredLoad> loads;
+    run_in_process(3, [&](Ranks& its) {  // as measured, if the first rank were four times as slow
+      const Simulation simulation(*setup, {}, its);
+      if (!its.is_root()) return;
+      for (const Body& body : simulation.bodies()) {
+        MeasuredLoad& load = loads.emplace_back();
+        for (int rank = 0; rank < 3; ++rank) load.push_back({body.particles.share().part_of(rank), rank == 0 ? 4.0 : 1.0});
+      }
+    });
+    for (const int ranks : {2, 3, 7}) {
+      CAPTURE(ranks);
+      run_in_process(ranks, [&](Ranks& its) {
+        const Simulation equal(*setup, {}, its);
+        Simulation simulation(*setup, {}, its, loads);
+        const auto plate_of = [](const Simulation& of) { return static_cast<std::int64_t>(of.bodies()[0].particles.size()); };
+        const bool is_other = its.any(plate_of(equal) != plate_of(simulation));
+        fixtures::run(simulation);
+        const std::uint64_t hash = simulation.state_hash();
+        if (!its.is_root()) return;
+        CHECK(is_other);
+        CHECK(hash == expected);
+      });
+    }
+  }
+}
+
 }  // namespace perimpact
