@@ -39,7 +39,7 @@ def variants(build, others, cores):
 
 def measure(what, steps, cores):
     if isinstance(what, str):
-        return programs.lammps(what, steps["lammps"], cores[0])
+        return programs.lammps(what, steps["lammps"], {cores[0]})
     return programs.perimpact(what, steps["perimpact"], set(cores[: what.threads]))
 
 

@@ -65,22 +65,28 @@ def perimpact(variant, steps, cores):
     return row
 
 
-def lammps(style, steps, core):
-    """LAMMPS PERI: style pmb or lps. Raises CannotRun where it is not installed."""
-    environment = {
-        "OMP_NUM_THREADS": "1",
-        "OMPI_ALLOW_RUN_AS_ROOT": "1",  # Open MPI refuses root, also for one process
-        "OMPI_ALLOW_RUN_AS_ROOT_CONFIRM": "1",
-    }
+# Open MPI refuses root, also for one process
+AS_ROOT = {"OMPI_ALLOW_RUN_AS_ROOT": "1", "OMPI_ALLOW_RUN_AS_ROOT_CONFIRM": "1"}
+
+
+def mpirun(ranks):
+    """The words before a command that run it as so many processes on the cores that it is given; those that wait release their core."""
+    return ["mpirun", "--bind-to", "none", "--oversubscribe", "--mca", "mpi_yield_when_idle", "1", "-n", str(ranks)]
+
+
+def lammps(style, steps, cores, ranks=0):
+    """LAMMPS PERI: style pmb or lps; ranks: under mpirun. Raises CannotRun where it is not installed."""
+    environment = {"OMP_NUM_THREADS": "1", **AS_ROOT}
+    words = ["lmp", "-in", INPUT, "-log", "none", "-var", "style", style, "-var", "steps", str(steps)]
     try:
-        log = run(["lmp", "-in", INPUT, "-log", "none", "-var", "style", style, "-var", "steps", str(steps)], {core}, environment)
+        log = run((mpirun(ranks) if ranks else []) + words, cores, environment)
     except CannotRun as error:
         raise CannotRun(f"{error} LAMMPS with PERI is the Debian package lammps.") if "not installed" in str(error) else error
 
     def last(pattern):
         return re.findall(pattern, log)[-1]
 
-    seconds, done_steps, particles = last(r"Loop time of (\S+) on 1 procs for (\d+) steps with (\d+) atoms")
+    seconds, done_steps, particles = last(r"Loop time of (\S+) on \d+ procs for (\d+) steps with (\d+) atoms")
     bonds, speed = last(r"total # of bonds = (\d+)"), int(done_steps) / float(seconds)
     return {
         "particles": particles,

@@ -2,8 +2,8 @@
 """Loads and fragments of ship runs: measure.py RESULTS ...
 
 A line for each results folder. Loads are of contact on the part `bow`: the largest row of F_x within the first metres (SETTLED), the response
-to the first impact; the mean over all the travel, which is the work over its length; mean and largest mean over a second after these metres;
-F_z/F_x; the number of load peaks, and the time between them. Then the travel in the ice; broken bonds; through-cracks (below); fragments of at least 1 % of the sheet's mass besides the remaining sheet;
+to the first impact; mean and largest mean over a second after these metres; F_z/F_x; the number of load peaks, and the time between them. The mean over
+all the travel is that of the whole hull: its work over the length. Then the travel in the ice; broken bonds; through-cracks (below); fragments of at least 1 % of the sheet's mass besides the remaining sheet;
 work of the ship, and the energy balance error over it.
 
 Through-cracks: along lines in the direction of travel, one for each row of particles within the breadth of the ship, the cracked stretches of the sheet

@@ -17,9 +17,9 @@
 #include "perimpact/deck_model/setup_error.hpp"
 #include "perimpact/family/stencil.hpp"
 #include "perimpact/impactor/impactor.hpp"
+#include "perimpact/simulation/expect_parts.hpp"
 #include "perimpact/simulation/forecast.hpp"
 #include "perimpact/simulation/memory.hpp"
-#include "perimpact/simulation/ranks_support.hpp"
 
 namespace perimpact {
 
@@ -32,7 +32,6 @@ void expect_divisible(const Setup& setup, const std::vector<Discretisation>& bod
   for (std::size_t b = 0; b < bodies.size(); ++b)
     if (std::holds_alternative<Cloud>(bodies[b]))
       throw SetupError("bodies." + setup.bodies[b].name + ".shape", "the shares of ranks in a body from a file of particles are not forecast; omit --ranks.");
-  expect_supported_by(ranks, setup);
 }
 
 /// A body by its lattice alone.

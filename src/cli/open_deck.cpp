@@ -30,7 +30,8 @@ deck::Deck open_deck(const DeckArguments& arguments, Messages& messages) {
 Simulation set_up(const deck::Deck& deck, Messages& messages, const RunFolder* folder, Ranks& ranks, const Processor& processor) {
   const SetupSignals signals(messages.last_words("Interrupted during the set-up; no results were written."), ranks.is_root() ? folder : nullptr);
   return Simulation(
-      deck.setup, [&](std::string_view stage, std::string_view of) { messages.stage(stage, of); }, ranks, processor);
+      deck.setup, [&](std::string_view stage, std::string_view of) { messages.stage(stage, of); }, ranks,
+      folder ? folder->loads() : std::span<const MeasuredLoad>(), processor);
 }
 
 std::filesystem::path results_folder(const DeckArguments& arguments, const Setup& setup) {

@@ -51,6 +51,12 @@ RunFolder::RunFolder(fs::path folder, EarlierRun earlier, Requests requests, con
     : folder_(std::move(folder)), earlier_(earlier), requests_(std::move(requests)) {
   on_root(ranks, [&] { claim(setup); });
   is_finished_ = ranks.any(is_finished_);
+  if (earlier_ != EarlierRun::resume || ranks.size() == 1) return;
+  loads_.resize(setup.bodies.size());
+  for (MeasuredLoad& load : loads_) {
+    const std::vector<double> numbers = numbers_of(load);
+    load = load_of(ranks.join_all(std::span<const double>(numbers)));  // the root alone has any
+  }
 }
 
 void RunFolder::claim(const Setup& setup) {
@@ -82,6 +88,7 @@ void RunFolder::expect_no_run() const {
 void RunFolder::find_checkpoint(const Setup& setup) {
   const Reached reached = newest_checkpoint(folder_, setup);
   steps_ = reached.steps;
+  loads_ = reached.loads;
   is_finished_ = outcome_in(folder_) == "finished" && setup.time.end == reached.end;
 }
 

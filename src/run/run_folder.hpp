@@ -3,10 +3,12 @@
 
 #include <filesystem>
 #include <optional>
+#include <span>
 #include <string>
 #include <vector>
 
 #include "perimpact/deck_model/setup.hpp"
+#include "perimpact/particles/measured_load.hpp"
 #include "perimpact/ranks/ranks.hpp"
 #include "run/folder_lock.hpp"
 
@@ -36,6 +38,8 @@ class RunFolder {
   /// Of a run to be resumed: it has ended at the time.end of this deck.
   bool is_finished() const { return is_finished_; }
   long steps() const { return steps_; }  ///< of the run to be resumed, on the root
+  /// Of each body of the run to be resumed, by which ranks divide it.
+  std::span<const MeasuredLoad> loads() const { return loads_; }
   const Requests& requests() const { return requests_; }
   const std::vector<std::string>& notes() const { return notes_; }  ///< sentences for the user, on the root
 
@@ -50,6 +54,7 @@ class RunFolder {
   std::optional<FolderLock> lock_;  // of the root
   bool is_finished_ = false;
   long steps_ = 0;
+  std::vector<MeasuredLoad> loads_;
   std::vector<std::string> notes_;
 };
 

@@ -211,7 +211,7 @@ def _(t):
 @claim("check: more ranks than blocks of cells, and bodies whose shares are not forecast, are refused with one sentence")
 def _(t):
     done = t.run_program("check", t.deck(), "--ranks", "1000")
-    sentence = "1000 ranks are too many: the bodies can be divided among at most 144, since lattices are cut across x at multiples of eight cells only. Use fewer."
+    sentence = "1000 ranks are too many: the bodies can be divided among at most 144, since lattices are cut across x at multiples of eight cells only, and point clouds between blocks of eight particles. Use fewer."
     t.assertEqual((done.code, done.err), (2, f"error: deck.yaml:3:1: {sentence}\n"))
     (t.folder / "points.csv").write_text("x [m],y [m],z [m],volume [m3]\n" + "".join(f"{0.005 * k},0,0,1.25e-7\n" for k in range(20)))
     cloud = t.deck(("shape: {box: {size: [100 mm, 60 mm, 20 mm]}}\n    spacing: 5 mm", "shape: {points: {file: points.csv}}"))

@@ -1,7 +1,9 @@
 """Runs of several processes under mpirun. Claims that need the library of ranks are skipped where it was not built."""
 
+import itertools
 import json
 import os
+import random
 import resource
 import shutil
 import signal
@@ -146,7 +148,28 @@ def _(t):
     t.assertEqual(contents(t, "r"), contents(t, "whole"))
 
 
-@claim("ranks: an error of all processes is one sentence, with its exit status: of a missing deck, a value, a folder, and what several ranks do not support")
+@claim("ranks: a body from a file of points has, byte for byte, the results of one process, also after a checkpoint of another number of processes")
+def _(t):
+    move = random.Random(3)
+    rows = [[5 * (k + move.uniform(-0.2, 0.2)) for k in cell] for cell in itertools.product(range(8), range(12), range(4))]
+    move.shuffle(rows)
+    lines = [f"{x - 17.5},{y - 29},{z - 7.5},{move.uniform(100, 150)}\n" for x, y, z in rows]
+    (t.folder / "points.csv").write_text("x [mm],y [mm],z [mm],volume [mm3]\n" + "".join(lines))
+    points = ("shape: {box: {size: [40 mm, 60 mm, 20 mm]}}\n    spacing: 5 mm", "shape: {points: {file: points.csv}}")
+    deck = t.deck(*SHORT, points)
+    t.expect_success("run", deck, "--out", "1")
+    for ranks in 2, 3:
+        done = with_program(t, launched(t, ranks), lambda: t.run_program("run", deck, "--out", str(ranks), "--threads", "1"))
+        t.assertEqual(done.code, 0, done)
+        t.assertEqual(contents(t, str(ranks)), contents(t, "1"))
+    first_half = "--set", "time.end=15 us", "--set", "output.frames=2"
+    half = with_program(t, launched(t, 3), lambda: t.run_program("run", deck, "--out", "half", "--threads", "1", *first_half))
+    t.assertEqual(half.code, 0, half)
+    t.assertIn("Resumed at step 299", t.expect_success("run", deck, "--out", "half", "--resume").out)
+    t.assertEqual(contents(t, "half"), contents(t, "1"))
+
+
+@claim("ranks: an error of all processes is one sentence, with its exit status: of a missing deck, a value, a folder, and more ranks than parts of the bodies")
 def _(t):
     two = launched(t, 2)
     deck = t.deck(*SHORT)
@@ -157,7 +180,7 @@ def _(t):
         (["none.yaml"], "none.yaml: there is no such file"),
         ([deck, "--set", "bodies.plate.spacing=0"], "--set bodies.plate.spacing"),
         ([deck, "--out", "taken"], "the folder taken contains a finished run"),
-        ([cloud, "--out", "new"], "cloud.yaml:5:"),
+        ([cloud, "--out", "new"], "cloud.yaml:3:1: 2 ranks are too many: the bodies can be divided among at most 1, "),
         ([deck, "--bogus"], "The following argument was not expected: --bogus"),
     ):
         done = with_program(t, two, lambda: t.run_program("run", *arguments))

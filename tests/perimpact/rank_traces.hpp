@@ -3,7 +3,13 @@
 
 #include <doctest/doctest.h>
 
+#include <cstddef>
 #include <cstdint>
+#include <cstring>
+#include <map>
+#include <string>
+#include <string_view>
+#include <type_traits>
 #include <vector>
 
 #include "base/parallel.hpp"
@@ -40,6 +46,30 @@ inline Trace trace(const Setup& setup, int ranks, int threads = 1) {
   });
   fccda::use_threads(before);
   return of_root;
+}
+
+/// State of the whole run by name; on the root, elsewhere empty.
+using WholeState = std::map<std::string, std::vector<std::byte>>;
+
+inline WholeState state_of_all_ranks(Simulation& simulation) {
+  WholeState state;
+  simulation.visit_whole_state([&](std::string_view name, auto&& values) {
+    const auto bytes = std::as_bytes(std::span(fccda::numbers_in(values)));
+    state[std::string(name)].assign(bytes.begin(), bytes.end());
+  });
+  return state;
+}
+
+/// Gives a simulation, on each rank, the state of another.
+inline void take(Simulation& simulation, const WholeState& state) {
+  simulation.take_whole_state([&](std::string_view name, auto&& values) {
+    const std::vector<std::byte>& bytes = state.at(std::string(name));
+    using Values = std::remove_cvref_t<decltype(values)>;
+    if constexpr (fccda::is_list<Values>) values.resize(bytes.size() / sizeof(typename Values::value_type));
+    const auto numbers = fccda::numbers_in(values);
+    REQUIRE(numbers.size_bytes() == bytes.size());
+    if (!bytes.empty()) std::memcpy(numbers.data(), bytes.data(), bytes.size());
+  });
 }
 
 /// Checks that 2, 3, 4 and 7 ranks compute bitwise what one computes, with one and with two threads. Returns what one computes.

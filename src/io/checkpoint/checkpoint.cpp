@@ -16,6 +16,7 @@
 #include "io/deck/setup_to_text.hpp"
 #include "io/results/results_writer.hpp"
 #include "perimpact/deck_model/setup_error.hpp"
+#include "perimpact/simulation/ranks_report.hpp"
 #include "perimpact/simulation/state_hash.hpp"
 
 namespace perimpact {
@@ -37,6 +38,8 @@ bool may_differ(std::string_view key) {
                                        "time.step",     "time.relax.increments",      "output.history_interval"};
   return std::ranges::find(keys, key) != std::end(keys) || key.ends_with(".file");
 }
+
+std::string load_name(const std::string& body) { return "loads/" + body; }
 
 std::string in_words(const std::string& value) { return value.empty() ? "not given" : value; }
 
@@ -76,6 +79,7 @@ std::uint64_t fingerprint_at_start(Simulation& simulation) {
 
 void write_checkpoint(const std::filesystem::path& path, Simulation& simulation, std::uint64_t at_start, Written written) {
   const std::uint64_t state_hash = simulation.state_hash();
+  const std::vector<MeasuredLoad> loads = measured_loads(simulation);
   if (!simulation.ranks().is_root()) {
     simulation.visit_whole_state([](std::string_view, auto&&) {});
     simulation.visit_whole_record([](std::string_view, auto&&) {});
@@ -86,6 +90,10 @@ void write_checkpoint(const std::filesystem::path& path, Simulation& simulation,
   simulation.visit_whole_state([&](std::string_view name, auto&& values) { file("state/" + std::string(name), values); });
   simulation.visit_whole_record([&](std::string_view name, auto&& values) { file("record/" + std::string(name), values); });
   written.visit_state([&](std::string_view name, auto&& values) { file("written/" + std::string(name), values); });
+  for (std::size_t b = 0; b < loads.size(); ++b) {
+    std::vector<double> numbers = numbers_of(loads[b]);
+    file(load_name(simulation.bodies()[b].name), numbers);
+  }
   file.word("program", program);
   file.number("step", std::int64_t{simulation.clock().step});
   file.number("steps", std::int64_t{simulation.clock().steps});
@@ -148,6 +156,16 @@ void Checkpoint::expect_same_steps(const Simulation& simulation) {
                                                   static_cast<double>(steps_) / frames * dt)));
 }
 
+std::vector<MeasuredLoad> Checkpoint::loads(const Setup& setup) {
+  std::vector<MeasuredLoad> loads;
+  for (const BodySetup& body : setup.bodies) {
+    std::vector<double> numbers;
+    file_(load_name(body.name), numbers);
+    loads.push_back(load_of(numbers));
+  }
+  return loads;
+}
+
 Written Checkpoint::restore(Simulation& simulation, std::uint64_t at_start) {
   expect_same_steps(simulation);
   if (at_start != file_.natural("fingerprint_at_start"))
@@ -159,6 +177,7 @@ Written Checkpoint::restore(Simulation& simulation, std::uint64_t at_start) {
   simulation.take_whole_state([&](std::string_view name, auto&& values) { file_("state/" + std::string(name), values); });
   simulation.take_whole_record([&](std::string_view name, auto&& values) { file_("record/" + std::string(name), values); });
   written.visit_state([&](std::string_view name, auto&& values) { file_("written/" + std::string(name), values); });
+  loads(simulation.setup());  // used by the ranks when they divided the bodies
   file_.expect_all_read();
   if (simulation.state_hash() != file_.natural("state_hash"))
     throw fccda::InputError(fmt::format("{} does not restore the state that was written; start a new run without --resume.", path_.string()));

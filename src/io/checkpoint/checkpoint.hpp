@@ -4,6 +4,7 @@
 #include <cstdint>
 #include <filesystem>
 #include <string>
+#include <vector>
 
 #include "io/checkpoint/arrays_reader.hpp"
 #include "io/results/written.hpp"
@@ -27,6 +28,9 @@ class Checkpoint {
   long step() const { return step_; }    ///< number of completed steps
   long steps() const { return steps_; }  ///< number of steps of the entire run
   double end() const { return end_; }    ///< [s] time.end of the run
+
+  /// What the parts of each body cost the ranks of the run; nothing of a run of one rank.
+  std::vector<MeasuredLoad> loads(const Setup& setup);
 
   /// Throws SetupError with the key where the deck differs from that of the run. The results folder, checkpoint settings and file paths may
   /// differ, and time.end may be later; restore() verifies that steps, rows and output frames up to the checkpoint remain the same.

@@ -58,7 +58,9 @@ Reached newest_checkpoint(const fs::path& folder) {
 Reached newest_checkpoint(const fs::path& folder, const Setup& setup) {
   return with_newest(folder, [&](Checkpoint& checkpoint, int, const std::string&) {
     checkpoint.expect_deck(setup);
-    return reached(checkpoint);
+    Reached all = reached(checkpoint);
+    all.loads = checkpoint.loads(setup);
+    return all;
   });
 }
 

@@ -5,6 +5,7 @@
 #include <filesystem>
 #include <optional>
 #include <string>
+#include <vector>
 
 #include "io/checkpoint/checkpoint.hpp"
 #include "io/results/results_writer.hpp"
@@ -18,10 +19,11 @@ bool has_checkpoint(const std::filesystem::path& folder);
 struct Reached {
   long step, steps;  ///< completed, and of the whole run
   double end;        ///< [s] time.end of the run
+  std::vector<MeasuredLoad> loads = {};
 };
 /// What the newest readable checkpoint of the folder has reached. Throws InputError where none can be read: the error of the latest.
 Reached newest_checkpoint(const std::filesystem::path& folder);
-/// The same; throws SetupError where the deck differs from that of the run.
+/// The same, with the loads of its bodies; throws SetupError where the deck differs from that of the run.
 Reached newest_checkpoint(const std::filesystem::path& folder, const Setup& setup);
 
 class Checkpoints {

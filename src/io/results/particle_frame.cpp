@@ -92,7 +92,7 @@ std::vector<std::int32_t> ParticleFrame::numbers_in_body() const {
   if (share.is_whole()) return *particles_;
   std::vector<std::uint8_t> occupied(particles.slots() / fccda::byte_lanes);
   for (std::size_t eight = 0; eight < occupied.size(); ++eight) occupied[eight] = particles.occupied(eight);
-  occupied = share.gather(std::span<const std::uint8_t>(occupied), 1);
+  occupied = share.gather(std::span<const std::uint8_t>(occupied), {.each = 1});
   std::vector<std::int32_t> numbers;
   std::size_t eight = 0, before = 0;  // before: number of particles in the eights before this one
   for (const std::uint64_t slot : gathered<std::uint64_t>([&](std::size_t particle) { return share.whole_slot(particles.slot_of()[particle]); })) {
@@ -119,7 +119,7 @@ void ParticleFrame::write(const frames::Sink& sink) const {
   std::vector<std::int32_t> fragments, originals, numbers;
   if (fragments_ && is_wanted("fragment")) arrays.push_back({"fragment", 1, selected(fragments_->of_particles(), fragments)});
   if (!particles.numbers().empty() && is_wanted("original")) {
-    for (std::size_t index = 0; index < size(); ++index) originals.push_back(static_cast<std::int32_t>(particles.numbers()[slots[number(index)]]));
+    originals = gathered<std::int32_t>([&](std::size_t particle) { return particles.numbers()[slots[particle]]; });
     arrays.push_back({"original", 1, std::span<const std::int32_t>(originals), !varies_});
   }
   if (particles_) {

@@ -10,6 +10,7 @@
 #include "perimpact/body/bending.hpp"
 #include "perimpact/deck_model/setup_error.hpp"
 #include "perimpact/discretisation/particle_set.hpp"
+#include "perimpact/family/cloud_part_of.hpp"
 #include "perimpact/materials/ordinary_state/stencil_sums.hpp"
 #include "perimpact/particles/sum_over_eights.hpp"
 
@@ -24,10 +25,16 @@ Stencil stencil_of(const BodySetup& setup, const Lattice& lattice) {
 int layers_along(std::size_t axis, const Particles& particles) { return static_cast<int>(std::lround(extent(particles)[axis] / particles.spacing())); }
 
 /// Share of this rank in the lattice of a body.
-Share share_of(const BodySetup& setup, const BodySolid& solid, Ranks& ranks, int first_rank) {
+Share share_of(const BodySetup& setup, const BodySolid& solid, Ranks& ranks, int first_rank, const MeasuredLoad& load) {
   const Lattice lattice = lattice_that_fills(setup, solid);
-  const PartitionRule rule = partition_rule_of(setup, lattice);
-  return Share(ranks, lattice, rule.reach, rule.keeps_columns, first_rank);
+  return Share(ranks, lattice, partition_rule_of(setup, lattice, load), first_rank);
+}
+
+/// Particles of this rank in a cloud.
+Particles particles_of(const BodySetup& setup, const Cloud& cloud, Ranks& ranks, int first_rank, const MeasuredLoad& load) {
+  const double density = setup.elastic().density;
+  if (ranks.size() == 1) return Particles(cloud, density);
+  return Particles(cloud, density, Share(ranks, part_of(setup, cloud, ranks, first_rank, load)));
 }
 
 /// One particle in each cell of the lattice whose centre is inside the solid.
@@ -112,9 +119,14 @@ std::optional<BendingOfLayers> bending_of_thin(const BodySetup& setup, const Par
   return BendingOfLayers{thin, layers, relative_bending_stiffness(setup, thin, layers)};
 }
 
-PartitionRule partition_rule_of(const BodySetup& setup, const Lattice& whole) {
+PartitionRule partition_rule_of(const BodySetup& setup, const Lattice& whole, const MeasuredLoad& load) {
   const bool floats = std::ranges::any_of(setup.boundary_conditions, [](const auto& one) { return std::holds_alternative<FloatingSetup>(one.kind); });
-  return {whole.cells, stencil_of(setup, whole).reach(), floats};
+  return {whole.cells, stencil_of(setup, whole).reach(), floats, load};
+}
+
+CloudPart part_of(const BodySetup& setup, const Cloud& cloud, const Ranks& ranks, int first_rank, const MeasuredLoad& load) {
+  const CloudPartition partition((cloud.points.size() + fccda::byte_lanes - 1) / fccda::byte_lanes, ranks.size(), first_rank, load);
+  return cloud_part_of(cloud, largest_reach(setup.family.as<FamilyRule>(), setup.horizon_ratio, cloud), partition, ranks.rank());
 }
 
 IsotropicElastic elastic_of(const BodySetup& setup) {
@@ -124,10 +136,10 @@ IsotropicElastic elastic_of(const BodySetup& setup) {
   return IsotropicElastic::in(plane, *modulus, std::visit([&](const auto& material) { return material.poissons_ratio_in(plane); }, setup.material));
 }
 
-Particles make_particles(const BodySetup& setup, const Discretisation& discretisation, Ranks& ranks, int first_rank) {
-  if (const auto* cloud = std::get_if<Cloud>(&discretisation)) return with_velocity(setup, Particles(*cloud, setup.elastic().density));
+Particles make_particles(const BodySetup& setup, const Discretisation& discretisation, Ranks& ranks, int first_rank, const MeasuredLoad& load) {
+  if (const auto* cloud = std::get_if<Cloud>(&discretisation)) return with_velocity(setup, particles_of(setup, *cloud, ranks, first_rank, load));
   const BodySolid& solid = std::get<BodySolid>(discretisation);
-  return with_velocity(setup, filled(setup, solid, share_of(setup, solid, ranks, first_rank)));
+  return with_velocity(setup, filled(setup, solid, share_of(setup, solid, ranks, first_rank, load)));
 }
 
 Particles make_particles(const BodySetup& setup, Share share) { return with_velocity(setup, filled(setup, BodySolid(setup), std::move(share))); }

@@ -54,13 +54,17 @@ struct Body {
 
 /// Particles that fill the solid, or those of the cloud, with their initial velocities; the share of this rank. Throws SetupError if there are none, or more
 /// than can be indexed. `first_rank`: see Share.
-Particles make_particles(const BodySetup& setup, const Discretisation& discretisation, Ranks& ranks = alone(), int first_rank = 0);
+Particles make_particles(const BodySetup& setup, const Discretisation& discretisation, Ranks& ranks = alone(), int first_rank = 0,
+                         const MeasuredLoad& load = {});
 inline Particles make_particles(const BodySetup& setup) { return make_particles(setup, discretise(setup)); }
 /// The same of a solid on a lattice of which this rank has that share.
 Particles make_particles(const BodySetup& setup, Share share);
 
 /// How ranks divide its lattice: not across z where it floats, since the water under it acts on columns.
-PartitionRule partition_rule_of(const BodySetup& setup, const Lattice& whole);
+PartitionRule partition_rule_of(const BodySetup& setup, const Lattice& whole, const MeasuredLoad& load = {});
+
+/// The part of this rank in a point cloud. `first_rank`: see Share.
+CloudPart part_of(const BodySetup& setup, const Cloud& cloud, const Ranks& ranks, int first_rank, const MeasuredLoad& load = {});
 
 /// Elastic constants of its material, 3-D or 2-D.
 IsotropicElastic elastic_of(const BodySetup& setup);

@@ -140,8 +140,10 @@ void BodyPasses::pass(PlasticForce& force, Body& body, double dt, bool with_ener
     const PlasticSlots slots = plastic_slots(evaluation, body.particles, !again || with_energy);
     launch(force, slots, body, {.may_break = !again && force.breaking().is_armed(), .dt = dt});
     enter_stress(evaluation);
-    if (again) enter_return(evaluation, slots, body.particles, dt);
-    download_forces(body.particles);
+    if (again)
+      enter_return(evaluation, slots, body.particles, dt);
+    else
+      download_forces(body.particles);
     if (is_flag_raised()) enter_broken(body.family, sums);
     if (with_energy) enter_density(body.particles, sums);
   });
@@ -219,7 +221,7 @@ void BodyPasses::enter_stress(const PlasticForce::Evaluation& evaluation) {
   mirrors_.download(std::span(evaluation.pressure, slots_));
 }
 
-/// The work that forces do less after the last flow, before they are entered.
+/// The forces after the last flow, and the work that they do less.
 void BodyPasses::enter_return(const PlasticForce::Evaluation& evaluation, const PlasticSlots& slots, Particles& particles, double dt) {
   std::array<std::vector<double>, 3> now;
   for (std::size_t c = 0; c < 3; ++c) {
@@ -229,6 +231,7 @@ void BodyPasses::enter_return(const PlasticForce::Evaluation& evaluation, const 
   for (std::size_t slot = 0; slot < slots_; ++slot)
     if (!slots.affected || evaluation.affected[slot / byte_lanes] != 0)
       evaluation.dissipation[slot / byte_lanes] += plastic::lost_work(particles, slot, Vec3d{now[0][slot], now[1][slot], now[2][slot]}, dt);
+  for (std::size_t c = 0; c < 3; ++c) std::copy(now[c].begin(), now[c].end(), particles.force_density.component(c));
 }
 
 /// The energy of each eight, from densities.

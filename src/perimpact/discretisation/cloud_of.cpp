@@ -91,12 +91,6 @@ Cloud given(const CellsShape& shape) {
   return cloud;
 }
 
-/// [m] edge length of a particle of mean volume.
-double spacing_of(const Cloud& cloud) {
-  const double mean = std::accumulate(cloud.volumes.begin(), cloud.volumes.end(), 0.0) / static_cast<double>(cloud.volumes.size());
-  return cloud.thickness ? std::sqrt(mean / *cloud.thickness) : std::cbrt(mean);
-}
-
 /// Bonds have non-zero length: no two points may coincide.
 void expect_apart(const Cloud& cloud, double distance, const std::string& file) {
   const auto rounded = [&](std::uint32_t k) {

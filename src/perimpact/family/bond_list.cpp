@@ -24,7 +24,8 @@ class BondSearch {
     fccda::parallel_for(static_cast<std::ptrdiff_t>(size_.size()), [&](std::ptrdiff_t slot) {
       size_[static_cast<std::size_t>(slot)] = particles.size_of(static_cast<std::size_t>(slot));  // a cube root: once for each particle, not for each bond
     });
-    for (const std::uint32_t slot : particles.slot_of()) least_size_ = std::min(least_size_, size_[slot]), largest_size_ = std::max(largest_size_, size_[slot]);
+    for (std::size_t slot = 0; slot < size_.size(); ++slot)
+      if (particles.is_occupied(slot)) least_size_ = std::min(least_size_, size_[slot]), largest_size_ = std::max(largest_size_, size_[slot]);
   }
 
   /// [m] reference distances to the neighbours, squared, in ascending order of their slots
@@ -101,7 +102,7 @@ BondList find_bonds(FamilyRule rule, double horizon, const Particles& particles)
   list.begin.assign(eights + 1, 0);
   for_each_eight([&](std::size_t eight) {
     for (std::size_t slot = eight * byte_lanes; slot < (eight + 1) * byte_lanes; ++slot)
-      if (particles.is_occupied(slot)) list.begin[eight + 1] = std::max(list.begin[eight + 1], search.count(slot));
+      if (particles.owns(slot)) list.begin[eight + 1] = std::max(list.begin[eight + 1], search.count(slot));
   });
   for (std::size_t eight = 0; eight < eights; ++eight) list.begin[eight + 1] += list.begin[eight];
 
@@ -116,7 +117,7 @@ BondList find_bonds(FamilyRule rule, double horizon, const Particles& particles)
     for (std::size_t lane = 0; lane < byte_lanes; ++lane) {
       const std::size_t slot = eight * byte_lanes + lane;
       found.slots.clear();
-      if (particles.is_occupied(slot)) search.find(slot, found);
+      if (particles.owns(slot)) search.find(slot, found);
       for (std::size_t r = 0; r < found.slots.size(); ++r) {
         const std::size_t row = begin + r, entry = row * byte_lanes + lane;
         const double length = std::sqrt(found.squared[r]);

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <bit>
+#include <tuple>
 #include <utility>
 
 #include "base/parallel.hpp"
@@ -56,8 +57,21 @@ Family::Family(BondList list, const Particles& particles) : geometry_(std::move(
   bits_ = std::move(std::get<BondList>(geometry_).bits);
   reference_.reserve(particles.slots());
   for (std::size_t slot = 0; slot < particles.slots(); ++slot) reference_.push_back(particles.reference(slot));
+  find_ends_at_ghosts(particles);
   sum_initial_volumes();
   initial_bonds_ = intact_bonds(particles.share());
+}
+
+void Family::find_ends_at_ghosts(const Particles& particles) {
+  if (particles.share().is_whole()) return;
+  for (const std::uint32_t slot : particles.slot_of()) {
+    const std::size_t first = begin(slot / byte_lanes);
+    for_each_bond(slot, [&](const FamilyBond& bond) {
+      if (particles.owns(bond.j)) return;
+      ends_at_ghosts_.push_back({static_cast<std::uint32_t>(bond.j), slot, static_cast<std::uint32_t>(bond.index / byte_lanes - first)});
+    });
+  }
+  std::ranges::sort(ends_at_ghosts_, {}, [](const EndAtGhost& end) { return std::tuple(end.ghost, end.slot, end.row); });
 }
 
 void Family::sum_initial_volumes() {

@@ -4,6 +4,7 @@
 /// one stencil and neighbours are not stored; for a point cloud the geometry is a bond list. Ghosts of other ranks have no bonds of their own.
 #pragma once
 
+#include <algorithm>
 #include <cstdint>
 #include <span>
 #include <string>
@@ -23,6 +24,12 @@ struct FamilyBond {
   Vec3d direction;    ///< ξ/|ξ|
   double length;      ///< [m] |ξ|
   double volume;      ///< [m³] v V_j
+};
+
+/// Bits of all bonds, for visitors of state. `begin`: the first row of each eight and one past the last, where their number varies; else empty.
+struct BytesOfBonds : std::span<std::uint8_t> {
+  BytesOfBonds(std::span<std::uint8_t> bytes, std::span<const std::size_t> begin_of_eights) : std::span<std::uint8_t>(bytes), begin_of_eight(begin_of_eights) {}
+  std::span<const std::size_t> begin_of_eight;
 };
 
 class Family {
@@ -66,9 +73,13 @@ class Family {
   }
 
   /// Calls visit(i, row) for each owned particle i whose bond to this ghost is bit i % 8 of the byte `row` of its eight, whether it is intact or not.
-  /// Requires a stencil.
   template <class Visit>
   void for_each_end_at_ghost(std::size_t ghost, const Particles& particles, const Visit& visit) const {
+    if (!stencil()) {
+      for (auto end = std::ranges::lower_bound(ends_at_ghosts_, ghost, {}, &EndAtGhost::ghost); end != ends_at_ghosts_.end() && end->ghost == ghost; ++end)
+        visit(std::size_t{end->slot}, std::size_t{end->row});
+      return;
+    }
     const Lattice& lattice = *particles.lattice();
     const std::vector<StencilBond>& bonds = stencil()->bonds();
     const std::array<int, 3> cell = lattice.cell(ghost);
@@ -113,7 +124,7 @@ class Family {
 
   template <class Visitor>
   void visit_state(const std::string& name, Visitor&& visit) {
-    visit(name + ".bonds", std::span<std::uint8_t>(bits_));
+    visit(name + ".bonds", BytesOfBonds{bits_, list() ? std::span<const std::size_t>(list()->begin) : std::span<const std::size_t>()});
   }
 
  private:
@@ -126,11 +137,16 @@ class Family {
     return {entry, j, (reference_[j] - reference_[slot]) / list.length[entry], list.length[entry], list.volume[entry]};
   }
   std::size_t intact_ends() const;  // of intact bonds at owned particles
+  void find_ends_at_ghosts(const Particles& particles);
   void sum_initial_volumes();
 
   std::variant<Stencil, BondList> geometry_;
   std::vector<std::ptrdiff_t> offsets_;
   std::vector<Vec3d> reference_;  // [m] of a cloud
+  struct EndAtGhost {
+    std::uint32_t ghost, slot, row;  // row in those of the eight
+  };
+  std::vector<EndAtGhost> ends_at_ghosts_;  // of a cloud, ascending
   std::vector<std::uint8_t> bits_;
   std::vector<std::uint32_t> volumes_of_;  // of each eight slots, their place in initial_volumes_, in eights
   std::vector<double> initial_volumes_;    // [m³] those of complete families, of empty cells, and of eights with others

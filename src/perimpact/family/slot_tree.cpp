@@ -23,11 +23,18 @@ void for_each(std::size_t count, const F& f) {
 
 }  // namespace
 
-SlotTree::SlotTree(const Particles& particles) : points_(particles.slots() / byte_lanes) {
+SlotTree::SlotTree(const Particles& particles)
+    : SlotTree(particles.slots(), [&](std::size_t slot) { return particles.is_occupied(slot) ? std::optional(particles.reference(slot)) : std::nullopt; }) {}
+
+SlotTree::SlotTree(std::span<const Vec3d> points)
+    : SlotTree(points.size(), [&](std::size_t slot) { return slot < points.size() ? std::optional(points[slot]) : std::nullopt; }) {}
+
+template <class PointAt>
+SlotTree::SlotTree(std::size_t slots, const PointAt& point_at) : points_(eights_of(slots)) {
   for_each(points_.size(), [&](std::size_t eight) {
     for (std::size_t lane = 0; lane < byte_lanes; ++lane) {
-      const std::size_t slot = eight * byte_lanes + lane;
-      for (std::size_t axis = 0; axis < 3; ++axis) points_[eight].at[axis][lane] = particles.is_occupied(slot) ? particles.reference(slot)[axis] : far;
+      const std::optional<Vec3d> point = point_at(eight * byte_lanes + lane);
+      for (std::size_t axis = 0; axis < 3; ++axis) points_[eight].at[axis][lane] = point ? (*point)[axis] : far;
     }
   });
   const auto add_level = [&](std::size_t children, const auto& low_and_high_of) {

@@ -4,6 +4,8 @@
 
 #include <array>
 #include <cstddef>
+#include <optional>
+#include <span>
 #include <vector>
 
 #include "base/aligned.hpp"
@@ -15,6 +17,7 @@ namespace perimpact {
 class SlotTree {
  public:
   explicit SlotTree(const Particles& particles);
+  explicit SlotTree(std::span<const Vec3d> points);  ///< slot k: point k
 
   /// Calls visit(eight, squared, bits) in ascending order for the eight slots from 8·eight on, where at least one has a particle less than `reach` [m]
   /// from the point: bit l is set for slot l of these. `squared`: squared_norm() of the eight distances [m²], infinite without a particle.
@@ -67,6 +70,10 @@ class SlotTree {
     });
     for_each_bit(bits, [&](std::size_t child) { visit_children(level - 1, node * byte_lanes + child, point, bound, visit); });
   }
+
+  /// point_at(slot): the reference position of a particle there, or nothing.
+  template <class PointAt>
+  SlotTree(std::size_t slots, const PointAt& point_at);
 
   fccda::AlignedVector<Points> points_;
   std::vector<fccda::AlignedVector<Boxes>> boxes_;  // those around the points first, that of the root last

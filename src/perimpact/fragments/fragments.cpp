@@ -123,8 +123,10 @@ Fragments::Fragments(const Particles& particles, const Family& family) : of_part
   if (particles.lattice()) {
     for (Fragment& fragment : fragments_) fragment.mass = static_cast<double>(fragment.particles) * particles.mass(0);  // as Particles::total_mass()
   } else {
-    for (std::size_t p = 0; p < names.size(); ++p) fragments_[static_cast<std::size_t>(of_particles_[p])].mass += particles.volume(particles.slot_of()[p]);
-    for (Fragment& fragment : fragments_) fragment.mass *= particles.density();
+    std::vector<fccda::ExactSums<double>> sums(fragments_.size());
+    for (std::size_t p = 0; p < names.size(); ++p) sums[static_cast<std::size_t>(of_particles_[p])].add(particles.volume(particles.slot_of()[p]));
+    const std::vector<double> volumes = values_of_all(particles.share().ranks(), std::span(sums));
+    for (std::size_t n = 0; n < fragments_.size(); ++n) fragments_[n].mass = particles.density() * volumes[n];
   }
   sort_by_mass();
 }
@@ -181,9 +183,9 @@ std::vector<FragmentState> states_of(const Fragments& fragments, const Particles
   }
   Ranks& ranks = particles.share().ranks();
   ranks.max(most);
+  const std::vector<Means> of_all = values_of_all(ranks, std::span(means));
   for (std::size_t n = 0; n < count; ++n) {
-    const Means of_all = value_of_all(ranks, means[n]);
-    states[n].centre = of_all.centre, states[n].velocity = of_all.velocity;
+    states[n].centre = of_all[n].centre, states[n].velocity = of_all[n].velocity;
     for (std::size_t c = 0; c < 3; ++c) states[n].extent[c] = most[6 * n + c] + most[6 * n + 3 + c];
   }
   return states;

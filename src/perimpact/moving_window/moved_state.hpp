@@ -60,7 +60,7 @@ class MovedState {
       const auto numbers = fccda::numbers_in(values);
       using T = typename decltype(numbers)::value_type;
       if constexpr (requires { values.per_eight; }) {
-        if (values.share == &body_.particles.share() && !name.ends_with("_of_eight")) return eights(name, numbers_of<T>(from), numbers, values.per_eight);
+        if (values.share == &body_.particles.share() && !name.ends_with("_of_eight")) return eights(name, numbers_of<T>(from), numbers, values.per_eight.each);
       } else if constexpr (requires { values.per_slot; }) {
         if (is_of_all_particles(name, numbers.size(), values.slots.size())) return of_particles(numbers_of<T>(from), numbers, values.slots);
       }

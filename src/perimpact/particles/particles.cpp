@@ -28,8 +28,6 @@ std::vector<std::uint8_t> marked(const Lattice& lattice, const std::function<boo
   return marks;
 }
 
-double size_of_volume(double volume, const std::optional<double>& thickness) { return thickness ? std::sqrt(volume / *thickness) : std::cbrt(volume); }
-
 }  // namespace
 
 Particles::Particles(const Lattice& lattice, int reach, double density, std::span<const std::uint8_t> inside, Share share)
@@ -44,12 +42,7 @@ Particles::Particles(const Lattice& lattice, int reach, double density, std::spa
       cell_volume_(lattice.cell_volume()),
       occupied_(slots_ / fccda::byte_lanes, 0) {
   EXPECTS(inside.size() == slots_);
-  if (!share_.is_whole()) {
-    const CellBox owned = share_.owned();
-    owned_eights_.assign(slots_ / fccda::byte_lanes, 0);
-    for (std::size_t eight = 0; eight < owned_eights_.size(); ++eight)
-      owned_eights_[eight] = owned.contains(lattice.cell(eight * fccda::byte_lanes)) ? 1 : 0;  // cuts are between eights
-  }
+  mark_owned_eights();
   position = velocity = force_density = VectorArray(slots_, slack_);
   fccda::parallel_for(static_cast<std::ptrdiff_t>(lattice.rows()), [&](std::ptrdiff_t row) {
     const std::size_t begin = static_cast<std::size_t>(row) * row_slots_;
@@ -64,24 +57,38 @@ Particles::Particles(const Lattice& lattice, int reach, double density, std::spa
 Particles::Particles(const Lattice& lattice, int reach, double density, const std::function<bool(const Vec3d&)>& inside)
     : Particles(lattice, reach, density, marked(lattice, inside)) {}
 
-Particles::Particles(const Cloud& cloud, double density)
-    : slots_(whole_packs(cloud.points.size())),
+Particles::Particles(const Cloud& cloud, double density, const Share& share)
+    : share_(share),
+      slots_(share.is_whole() ? whole_packs(cloud.points.size()) : share.eights().size() * fccda::byte_lanes),
       row_slots_(cloud_row),
       slack_(0),
       density_(density),
-      spacing_(size_of_volume(std::accumulate(cloud.volumes.begin(), cloud.volumes.end(), 0.0) / static_cast<double>(cloud.volumes.size()), cloud.thickness)),
+      spacing_(spacing_of(cloud)),
       thickness_(cloud.thickness),
-      reference_(cloud.points),
-      volumes_(cloud.volumes),
-      numbers_(cloud.numbers),
       occupied_(slots_ / fccda::byte_lanes, 0) {
-  position = velocity = force_density = VectorArray(slots_, slack_);
   EXPECTS(!cloud.points.empty() && cloud.points.size() == cloud.volumes.size());
-  for (std::size_t slot = 0; slot < cloud.points.size(); ++slot) occupied_[slot / 8] = static_cast<std::uint8_t>(occupied_[slot / 8] | (1u << (slot % 8)));
-  number_particles();
+  mark_owned_eights();
+  position = velocity = force_density = VectorArray(slots_, slack_);
   reference_.resize(slots_, cloud.points.back());
   volumes_.resize(slots_, 0.0);
-  for (std::size_t slot = 0; slot < slots_; ++slot) position.set(slot, reference_[slot]);
+  if (!cloud.numbers.empty()) numbers_.resize(slots_, 0);
+  for (std::size_t slot = 0; slot < slots_; ++slot) {
+    if (const std::size_t point = share_.whole_slot(slot); point < cloud.points.size()) {
+      reference_[slot] = cloud.points[point];
+      volumes_[slot] = cloud.volumes[point];
+      if (!cloud.numbers.empty()) numbers_[slot] = cloud.numbers[point];
+      occupied_[slot / 8] = static_cast<std::uint8_t>(occupied_[slot / 8] | (1u << (slot % 8)));
+    }
+    position.set(slot, reference_[slot]);
+  }
+  number_particles();
+}
+
+void Particles::mark_owned_eights() {
+  if (share_.is_whole()) return;
+  owned_eights_.assign(slots_ / fccda::byte_lanes, 0);
+  for (const SlotRun& run : share_.owned())
+    std::fill_n(owned_eights_.begin() + static_cast<std::ptrdiff_t>(run.first / fccda::byte_lanes), run.count / fccda::byte_lanes, std::uint8_t{1});
 }
 
 void Particles::number_particles() {

@@ -28,8 +28,8 @@ class Particles {
   /// The same for each cell whose centre is `inside`.
   Particles(const Lattice& lattice, int reach, double density, const std::function<bool(const Vec3d&)>& inside);
 
-  /// One particle per point, in the same order.
-  Particles(const Cloud& cloud, double density);
+  /// One particle per point, in the same order; those of a share of the cloud.
+  Particles(const Cloud& cloud, double density, const Share& share = Share());
 
   /// Moves the lattice of the body to that first cell, and all particles to the centres of their cells.
   void move_lattice(const std::array<int, 3>& first);
@@ -44,7 +44,8 @@ class Particles {
   /// Number of particles of the body, on all ranks. Collective.
   std::size_t size_of_body() const { return static_cast<std::size_t>(share_.ranks().sum(static_cast<std::int64_t>(size()))); }
   /// Lattice of the body on all ranks; null for a point cloud.
-  const Lattice* whole_lattice() const { return share_.is_whole() ? lattice() : &share_.whole(); }
+  const Lattice* whole_lattice() const { return share_.is_of_lattice() ? &share_.whole() : lattice(); }
+  std::size_t slots_of_whole() const { return share_.is_whole() ? slots() : share_.slots_of_whole(); }  ///< of the body on all ranks
   /// Positions and velocities of ghosts become those of their owners; in the second form when the refresh is completed (Share::begin_refresh).
   void refresh_ghosts();
   void begin_refresh_ghosts();
@@ -76,7 +77,7 @@ class Particles {
   double size_of(std::size_t slot) const;                                                     ///< [m] edge of a cube of its volume; of a square in a plane body
   bool is_plane() const { return thickness_.has_value(); }                                    ///< all forces and velocities lie in the plane z
   std::optional<double> thickness() const { return thickness_; }                              ///< [m] of a plane body
-  std::span<const std::uint32_t> numbers() const { return numbers_; }                         ///< Cloud::numbers, of the first slots
+  std::span<const std::uint32_t> numbers() const { return numbers_; }                         ///< Cloud::numbers by slot; empty without
   std::size_t slack() const { return slack_; }                                                ///< of fields over these slots
   Vec3d reference(std::size_t slot) const { return lattice_ ? lattice_->centre(slot) : reference_[slot]; }  ///< [m] X
   Vec3d displacement(std::size_t slot) const { return position.at(slot) - reference(slot); }                ///< [m] u = x - X
@@ -103,6 +104,7 @@ class Particles {
   }
 
  private:
+  void mark_owned_eights();
   void number_particles();
 
   Share share_;
@@ -121,8 +123,8 @@ class Particles {
 
 template <class T>
 std::vector<T> Particles::gather(std::span<const T> of_slots, std::size_t components) const {
-  const std::vector<T> all = share_.gather(of_slots, fccda::byte_lanes * components);
-  const std::vector<std::uint8_t> occupied = share_.gather(std::span<const std::uint8_t>(occupied_), 1);
+  const std::vector<T> all = share_.gather(of_slots, {.each = fccda::byte_lanes * components});
+  const std::vector<std::uint8_t> occupied = share_.gather(std::span<const std::uint8_t>(occupied_), {.each = 1});
   std::vector<T> particles;
   for (std::size_t eight = 0; eight < occupied.size() && !all.empty(); ++eight)
     fccda::for_each_bit(occupied[eight], [&](std::size_t lane) {
@@ -142,6 +144,12 @@ inline Particles::Range Particles::owned_slots(std::size_t row) const {
 }
 
 inline Particles::Range Particles::interior_slots(std::size_t row) const {
+  if (!lattice_) {
+    const Range owned = owned_slots(row);
+    for (std::size_t eight = owned.begin / 8; eight < owned.end / 8; ++eight)
+      if (share_.reads_ghosts(eight)) return {owned.begin, owned.begin};
+    return owned;
+  }
   const CellBox box = share_.interior();
   const std::size_t per_layer = static_cast<std::size_t>(lattice_->cells[1]);
   const auto j = static_cast<int>(row % per_layer), k = static_cast<int>(row / per_layer);

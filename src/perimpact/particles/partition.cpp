@@ -4,6 +4,7 @@
 #include <cmath>
 #include <cstdint>
 #include <limits>
+#include <numeric>
 #include <optional>
 #include <string>
 
@@ -20,11 +21,12 @@ int unit_of(std::size_t axis) { return axis == 0 ? static_cast<int>(fccda::byte_
 
 int units_of(int cells, std::size_t axis) { return (cells + unit_of(axis) - 1) / unit_of(axis); }
 
-/// Work of a rank, in cells that are computed.
+/// Work of a rank, in cells of mean cost that are computed.
 double work_of(const CellBox& box, const PartitionRule& rule) {
-  const CellBox around = intersection(box.grown({rule.reach, rule.reach, rule.reach}), {{0, 0, 0}, rule.cells});
+  const CellBox all{{0, 0, 0}, rule.cells}, around = intersection(box.grown({rule.reach, rule.reach, rule.reach}), all);
   const auto cells = static_cast<double>(box.cells());
-  return cells + cost_of_ghost * (static_cast<double>(around.cells()) - cells);
+  const double computed = rule.load.empty() ? cells : cost_of(rule.load, box) / cost_of(rule.load, all) * static_cast<double>(all.cells());
+  return computed + cost_of_ghost * (static_cast<double>(around.cells()) - cells);
 }
 
 double largest_work(const std::vector<CellBox>& boxes, const PartitionRule& rule) {
@@ -88,10 +90,22 @@ struct Cut {
 Cut best_cut(const CellBox& box, std::size_t axis, int first, int ranks, const PartitionRule& rule) {
   const int unit = unit_of(axis), size = box.size(axis), units = units_of(size, axis);
   if (units < 2 || (axis == 2 && rule.keeps_columns)) return {axis, 0, std::numeric_limits<double>::infinity()};
-  const double share = static_cast<double>(first) / ranks;
-  const int lower = std::clamp(static_cast<int>(std::lround(share * size / unit)), 1, units - 1) * unit;
-  const double imbalance = std::max(lower / (share * size), (size - lower) / ((1 - share) * size)) - 1;
-  return {axis, box.low[axis] + lower, imbalance + cost_of_ghost * 2 * rule.reach / size};
+  const double share = static_cast<double>(first) / ranks, ghosts = cost_of_ghost * 2 * rule.reach / size;
+  const auto imbalance = [&](double lower, double whole) { return std::max(lower / (share * whole), (whole - lower) / ((1 - share) * whole)) - 1; };
+  if (rule.load.empty()) {
+    const int lower = std::clamp(static_cast<int>(std::lround(share * size / unit)), 1, units - 1) * unit;
+    return {axis, box.low[axis] + lower, imbalance(lower, size) + ghosts};
+  }
+  const std::vector<double> costs = costs_of_layers(rule.load, box, axis);
+  const double whole = std::accumulate(costs.begin(), costs.end(), 0.0);
+  Cut best{axis, 0, std::numeric_limits<double>::infinity()};
+  double below = 0;
+  for (int layer = 0; layer < (units - 1) * unit; ++layer) {
+    below += costs[static_cast<std::size_t>(layer)];
+    if ((layer + 1) % unit != 0) continue;
+    if (const double cost = imbalance(below, whole) + ghosts; cost < best.cost) best = {axis, box.low[axis] + layer + 1, cost};
+  }
+  return best;
 }
 
 void bisect(const CellBox& box, int ranks, const PartitionRule& rule, std::vector<CellBox>& boxes) {

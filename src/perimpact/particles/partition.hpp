@@ -1,5 +1,5 @@
-/// Partition of a lattice over ranks: one box of cells each. A pure function of the number of cells, so that every rank knows the boxes of all without
-/// messages.
+/// Partition of a lattice over ranks: one box of cells each. A pure function of the number of cells, and of what they cost in an earlier run if that was
+/// measured, so that every rank knows the boxes of all without messages.
 ///
 /// Cuts across x are at multiples of eight cells, since eight slots share the bytes of their bonds and are summed together. Two kinds of partition are
 /// compared, and the one whose busiest rank has the least work is taken, where a ghost counts as a part of a cell that is computed:
@@ -13,6 +13,7 @@
 #include <vector>
 
 #include "perimpact/particles/cell_box.hpp"
+#include "perimpact/particles/measured_load.hpp"
 
 namespace perimpact {
 
@@ -20,6 +21,7 @@ struct PartitionRule {
   std::array<int, 3> cells{};  ///< of the whole lattice
   int reach = 1;               ///< of the stencil, in cells
   bool keeps_columns = false;  ///< no cut across z
+  MeasuredLoad load = {};      ///< empty: all cells cost the same
 };
 
 /// The box of each rank, at most `ranks`; fewer where there are not as many blocks of cells to divide.

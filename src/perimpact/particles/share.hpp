@@ -1,10 +1,11 @@
 /// The part of a body that a rank owns, and the ghosts around it: particles of other ranks within reach of the stencil.
 ///
 /// A rank has a lattice of its own, a window onto that of the whole body (Lattice::first): its box of cells (partition.hpp), and around it `reach` cells,
-/// in x whole eights. Only owned particles are summed and advanced. What is read of ghosts is refreshed from their owners after it has changed there:
-/// what both ends of a bond compute is bitwise identical, so that nothing else of a bond is sent.
+/// in x whole eights; or eights of points of a cloud (cloud_part.hpp). Only owned particles are summed and advanced. What is read of ghosts is refreshed from
+/// their owners after it has changed there: what both ends of a bond compute is bitwise identical, so that nothing else of a bond is sent.
 #pragma once
 
+#include <algorithm>
 #include <cstdint>
 #include <cstring>
 #include <functional>
@@ -14,29 +15,56 @@
 #include <span>
 #include <type_traits>
 #include <utility>
+#include <variant>
 #include <vector>
 
 #include "base/pack.hpp"
 #include "perimpact/particles/cell_box.hpp"
+#include "perimpact/particles/cloud_part.hpp"
 #include "perimpact/particles/lattice.hpp"
+#include "perimpact/particles/partition.hpp"
 #include "perimpact/ranks/ranks.hpp"
 
 namespace perimpact {
+
+/// Consecutive slots.
+struct SlotRun {
+  std::size_t first, count;
+};
+std::size_t slots_in(std::span<const SlotRun> runs);
+
+/// How many numbers eights of slots have: the same number each, or as many as they have rows of bonds in a list.
+struct NumbersOfEights {
+  std::size_t each = 0;
+  std::span<const std::size_t> begin;  ///< first of each eight, and one past the last; empty unless they vary
+
+  std::size_t first(std::size_t eight) const { return begin.empty() ? eight * each : begin[eight]; }
+};
 
 class Share {
  public:
   /// The whole body, in a run of one rank.
   Share();
-  /// The share of this rank in a body on that lattice. `keeps_columns`: columns along z are not divided. A small body is divided among fewer ranks than there
-  /// are, from `first_rank` on; the others own nothing of it.
-  Share(Ranks& ranks, const Lattice& whole, int reach, bool keeps_columns, int first_rank = 0);
+  /// The share of this rank in a body on that lattice, of whose cells the rule is. A small body is divided among fewer ranks than there are, from `first_rank`
+  /// on; the others own nothing of it.
+  Share(Ranks& ranks, const Lattice& whole, const PartitionRule& rule, int first_rank = 0);
+  /// That part of a cloud, which is of this rank.
+  Share(Ranks& ranks, CloudPart part);
 
   Ranks& ranks() const { return *ranks_; }
   bool is_whole() const { return !plan_; }
-  const Lattice& whole() const;  ///< lattice of the whole body; requires a partial share
-  Lattice lattice() const;       ///< that of this rank, with ghosts
-  CellBox owned() const;         ///< cells of lattice()
-  int parts() const;             ///< number of ranks that own cells; requires a partial share
+  bool is_of_lattice() const { return plan_ && std::holds_alternative<LatticePart>(plan_->part); }  ///< and partial
+  const Lattice& whole() const { return lattice_part().whole; }                                     ///< lattice of the whole body; requires a part of one
+  Lattice lattice() const { return lattice_part().lattice; }                                        ///< that of this rank, with ghosts; requires a part of one
+  CellBox owned_cells() const;                                                                      ///< of lattice(); requires a part of one
+  CellBox interior() const { return lattice_part().interior; }  ///< cells of lattice() whose stencils reach no ghost, in x whole eights; requires a part of one
+  /// The eights of a cloud that this rank has, owned and ghosts; requires a part of one.
+  std::span<const std::uint32_t> eights() const { return cloud_part().eights; }
+  bool reads_ghosts(std::size_t eight) const { return cloud_part().reads_ghosts[eight] != 0; }  ///< requires a part of a cloud
+  std::span<const SlotRun> owned() const;                                                       ///< whole eights, ascending; requires a partial share
+  std::size_t slots_of_whole() const;                                                           ///< requires a partial share
+  int parts() const;                                                                            ///< number of ranks that own slots; requires a partial share
+  CellBox part_of(int rank) const;                                                              ///< as MeasuredPart::cells; requires a partial share
 
   /// Sets the values of ghosts to those of their owners. `arrays`: by slot of lattice().
   template <class T>
@@ -58,27 +86,20 @@ class Share {
   void begin_refresh(std::span<T* const> arrays) const;
   void complete_refresh() const;
   bool is_refreshing() const { return plan_ && !plan_->under_way.empty(); }
-  CellBox interior() const;  ///< owned cells that are farther from all ghosts than the reach, in x by whole eights; requires a partial share
 
   /// Sets flags of owned slots that another rank has set for its ghost there. Values other than 0 are flags.
   void collect_flags(std::uint8_t* flags) const;
 
-  /// Slot in the lattice of the whole body.
-  std::size_t whole_slot(std::size_t slot) const {
-    if (!plan_) return slot;
-    std::array<int, 3> cell = plan_->lattice.cell(slot);
-    for (std::size_t axis = 0; axis < 3; ++axis) cell[axis] += plan_->offset[axis];
-    return plan_->whole.slot(cell[0], cell[1], cell[2]);
-  }
+  /// Slot in the whole body.
+  std::size_t whole_slot(std::size_t slot) const;
 
   /// Calls visit(slot) for the ghosts that are refreshed, once each.
   template <class Visit>
   void for_each_ghost(const Visit& visit) const {
     if (!plan_) return;
     for (const Peer& peer : plan_->peers)
-      for_each_run(plan_->lattice, peer.receive, [&](std::size_t slot, std::size_t count) {
-        for (std::size_t k = 0; k < count; ++k) visit(slot + k);
-      });
+      for (const SlotRun& run : peer.receive)
+        for (std::size_t k = 0; k < run.count; ++k) visit(run.first + k);
   }
 
   /// Sets the flags of the eights of ghosts to those of their owners; each ghost's, since an eight may be only partly within reach.
@@ -89,13 +110,15 @@ class Share {
     return of_slots;
   }
 
-  /// Numbers of the whole body, `per_eight` of each eight slots, from those of the owned eights of each rank; on the root, elsewhere empty. Collective.
+  /// Numbers of the eights of the whole body, from those of the owned eights of each rank; on the root, elsewhere empty. Collective.
   template <class T>
-  std::vector<T> gather(std::span<const T> own, std::size_t per_eight) const;
+  std::vector<T> gather(std::span<const T> own, const NumbersOfEights& numbers) const;
   /// Sets the numbers of this rank from those of the whole body. Ghosts have values by slot, but neither bonds nor sums of their own: only for numbers of 8
-  /// of each eight that are not integers they are set too, else to 0.
+  /// of each eight that are not integers they are set too, else to 0. Collective.
   template <class T>
-  void take(std::span<const T> whole, std::span<T> own, std::size_t per_eight) const;
+  void take(std::span<const T> whole, std::span<T> own, const NumbersOfEights& numbers) const;
+  /// How many numbers the eights of the whole body have. Collective.
+  std::size_t count_of_whole(const NumbersOfEights& numbers) const;
   /// Numbers of listed particles, `per_slot` of each, in the order of their slots in the whole body; on the root, elsewhere empty. `slots`: owned.
   /// Collective.
   template <class T>
@@ -109,35 +132,40 @@ class Share {
   void shift(const Lattice& lattice, std::span<const T> from, std::span<T> own, std::size_t per_eight, const std::array<int, 3>& by) const;
   /// The same share of a lattice that begins at another cell (Lattice::first).
   Share at(const std::array<int, 3>& first) const;
-  /// The slot of this rank's lattice, or nothing if another rank owns it.
+  /// The slot of this rank, or nothing if another rank owns it.
   std::optional<std::size_t> owned_slot(std::size_t whole_slot) const;
-  /// The slot of this rank's lattice, ghosts and their surroundings included, or nothing if it is outside.
+  /// The slot of this rank, ghosts and their surroundings included, or nothing if it has none.
   std::optional<std::size_t> local_slot(std::size_t whole_slot) const;
   /// The rank that owns a slot of the whole body.
   int owner_of(std::size_t whole_slot) const;
-  /// Calls f(first, first in the whole body, count) for runs of the numbers of owned eights.
+  /// Calls f(first, first in the whole body, count) for runs of the numbers of owned eights. Collective.
   template <class F>
-  void for_each_owned_run(std::size_t per_eight, const F& f) const;
-  std::size_t eights_of_whole() const { return plan_->whole.slots() / fccda::byte_lanes; }
+  void for_each_owned_run(const NumbersOfEights& numbers, const F& f) const;
 
   std::size_t peers() const { return plan_ ? plan_->peers.size() : 0; }  ///< ranks with which ghosts are exchanged
-  std::size_t ghosts() const;                                            ///< cells of other ranks that are refreshed
-  std::size_t sent_cells() const;                                        ///< cells sent in a refresh, with repetition
+  std::size_t ghosts() const;                                            ///< slots of other ranks that are refreshed
+  std::size_t sent_slots() const;                                        ///< slots sent in a refresh, with repetition
 
  private:
   struct Peer {
     int rank;
-    CellBox send, receive;  // cells of the own lattice
+    std::vector<SlotRun> send, receive;
   };
-  struct Plan {
+  struct LatticePart {
     Lattice whole, lattice;
     std::array<int, 3> offset{};  // of the own lattice's first cell in the whole
     CellBox owned;                // cells of the whole
     std::vector<CellBox> boxes;   // of all ranks, cells of the whole
+    CellBox interior;             // of the own lattice
+  };
+  struct Plan {
+    std::variant<LatticePart, CloudPart> part;
+    std::vector<SlotRun> owned;  // whole eights
     std::vector<Peer> peers;
-    CellBox interior;                                      // of the own lattice
     mutable std::vector<std::function<void()>> under_way;  // complete the refreshes that have begun
   };
+  const LatticePart& lattice_part() const;
+  const CloudPart& cloud_part() const;
   /// Numbers on their way between this rank and each peer.
   template <class T>
   struct Messages {
@@ -145,31 +173,41 @@ class Share {
     std::unique_ptr<Ranks::Exchange> exchange;
   };
   /// What this rank sends to each in a shift, and where what it receives belongs; with itself.
-  std::vector<Peer> peers_of_shift(const Lattice& lattice, const std::array<int, 3>& by) const;
+  struct Shifted {
+    int rank;
+    CellBox send, receive;  // cells of the own lattice
+  };
+  std::vector<Shifted> exchanged_in_shift(const Lattice& lattice, const std::array<int, 3>& by) const;
   std::vector<std::uint64_t> whole_slots(std::span<const std::uint32_t> slots) const;
   /// The places of the numbers in ascending order.
   static std::vector<std::size_t> order_of(std::span<const std::uint64_t> numbers);
   /// How many the ranks before this one have, if each calls with its count. Collective.
   std::size_t first_of_own(std::size_t count) const;
-  /// Begins to send the numbers in one box of each peer, and to receive those for the other.
+  /// The first of the numbers of owned eights among those of the whole body, where they vary. Collective.
+  std::size_t first_of_varying(const NumbersOfEights& numbers) const;
+  /// Begins to send the numbers in some runs of each peer, and to receive those for others.
   template <class T>
-  Messages<T> begin(std::span<T* const> arrays, CellBox Peer::*from, CellBox Peer::*to) const;
-  /// Waits for them, and passes them to take(values, count, to) by runs of consecutive slots.
+  Messages<T> begin(std::span<T* const> arrays, std::vector<SlotRun> Peer::*from, std::vector<SlotRun> Peer::*to) const;
+  /// Waits for them, and passes them to take(values, count, to) by runs.
   template <class T, class Take>
-  static void complete(const Plan& plan, Messages<T>& messages, std::span<T* const> arrays, CellBox Peer::*to, const Take& take);
+  static void complete(const Plan& plan, Messages<T>& messages, std::span<T* const> arrays, std::vector<SlotRun> Peer::*to, const Take& take);
   /// Calls f(first, count) for the numbers of the eights of each row of a box of cells.
   template <class F>
   static void for_each_row_of_eights(const Lattice& lattice, const CellBox& box, std::size_t per_eight, const F& f);
-  /// Calls f(slot, count) for the runs of consecutive slots of a box of cells.
-  template <class F>
-  static void for_each_run(const Lattice& lattice, const CellBox& box, const F& f) {
-    for (int k = box.low[2]; k < box.high[2]; ++k)
-      for (int j = box.low[1]; j < box.high[1]; ++j) f(lattice.slot(box.low[0], j, k), static_cast<std::size_t>(box.size(0)));
-  }
 
   Ranks* ranks_;
   std::shared_ptr<const Plan> plan_;
 };
+
+inline std::size_t Share::whole_slot(std::size_t slot) const {
+  if (!plan_) return slot;
+  if (const auto* cloud = std::get_if<CloudPart>(&plan_->part))
+    return std::size_t{cloud->eights[slot / fccda::byte_lanes]} * fccda::byte_lanes + slot % fccda::byte_lanes;
+  const LatticePart& part = *std::get_if<LatticePart>(&plan_->part);
+  std::array<int, 3> cell = part.lattice.cell(slot);
+  for (std::size_t axis = 0; axis < 3; ++axis) cell[axis] += part.offset[axis];
+  return part.whole.slot(cell[0], cell[1], cell[2]);
+}
 
 template <class F>
 void Share::for_each_row_of_eights(const Lattice& lattice, const CellBox& box, std::size_t per_eight, const F& f) {
@@ -179,24 +217,36 @@ void Share::for_each_row_of_eights(const Lattice& lattice, const CellBox& box, s
 }
 
 template <class F>
-void Share::for_each_owned_run(std::size_t per_eight, const F& f) const {
-  for_each_row_of_eights(plan_->lattice, owned(), per_eight, [&](std::size_t first, std::size_t count) {
-    f(first, per_eight == 0 ? 0 : whole_slot(first / per_eight * fccda::byte_lanes) / fccda::byte_lanes * per_eight, count);
-  });
+void Share::for_each_owned_run(const NumbersOfEights& numbers, const F& f) const {
+  const std::size_t first_if_varying = numbers.begin.empty() ? 0 : first_of_varying(numbers);
+  for (const SlotRun& run : plan_->owned) {
+    const std::size_t eight = run.first / fccda::byte_lanes, first = numbers.first(eight), end = numbers.first(eight + run.count / fccda::byte_lanes);
+    f(first, numbers.begin.empty() ? numbers.first(whole_slot(run.first) / fccda::byte_lanes) : first_if_varying, end - first);
+  }
 }
 
 template <class T>
-std::vector<T> Share::gather(std::span<const T> own, std::size_t per_eight) const {
+std::vector<T> Share::gather(std::span<const T> own, const NumbersOfEights& numbers) const {
   if (!plan_) return {own.begin(), own.end()};
   std::vector<T> sent;
-  for_each_row_of_eights(plan_->lattice, owned(), per_eight, [&](std::size_t first, std::size_t count) {
-    sent.insert(sent.end(), own.begin() + static_cast<std::ptrdiff_t>(first), own.begin() + static_cast<std::ptrdiff_t>(first + count));
-  });
+  for (const SlotRun& run : plan_->owned) {
+    const std::size_t eight = run.first / fccda::byte_lanes, end = eight + run.count / fccda::byte_lanes;
+    sent.insert(sent.end(), own.begin() + static_cast<std::ptrdiff_t>(numbers.first(eight)), own.begin() + static_cast<std::ptrdiff_t>(numbers.first(end)));
+  }
   const std::vector<Ranks::Bytes> all = ranks_->gather(std::as_bytes(std::span<const T>(sent)));
-  std::vector<T> whole(all.empty() ? 0 : eights_of_whole() * per_eight);
+  if (all.empty()) return {};
+  std::size_t bytes = 0;
+  for (const Ranks::Bytes& of_rank : all) bytes += of_rank.size();
+  std::vector<T> whole(bytes / sizeof(T));
+  if (const auto* cloud = std::get_if<CloudPart>(&plan_->part)) {
+    std::byte* to = reinterpret_cast<std::byte*>(whole.data());
+    for (int part = 0; part < cloud->partition.parts(); ++part) to = std::ranges::copy(all[static_cast<std::size_t>(cloud->partition.rank_of(part))], to).out;
+    return whole;
+  }
+  const LatticePart& part = lattice_part();
   for (std::size_t rank = 0; rank < all.size(); ++rank) {
     const std::byte* from = all[rank].data();
-    for_each_row_of_eights(plan_->whole, plan_->boxes[rank], per_eight, [&](std::size_t first, std::size_t count) {
+    for_each_row_of_eights(part.whole, part.boxes[rank], numbers.each, [&](std::size_t first, std::size_t count) {
       if (count > 0) std::memcpy(whole.data() + first, from, count * sizeof(T));
       from += count * sizeof(T);
     });
@@ -205,29 +255,35 @@ std::vector<T> Share::gather(std::span<const T> own, std::size_t per_eight) cons
 }
 
 template <class T>
-void Share::take(std::span<const T> whole, std::span<T> own, std::size_t per_eight) const {
+void Share::take(std::span<const T> whole, std::span<T> own, const NumbersOfEights& numbers) const {
   if (!plan_) {
     std::copy(whole.begin(), whole.end(), own.begin());
     return;
   }
-  if (per_eight == 0) return;
-  const bool with_ghosts = std::is_floating_point_v<T> && per_eight == fccda::byte_lanes;
-  const CellBox all{{0, 0, 0}, plan_->lattice.cells};
+  const bool with_ghosts = std::is_floating_point_v<T> && numbers.begin.empty() && numbers.each == fccda::byte_lanes;
   if (!with_ghosts) std::fill(own.begin(), own.end(), T{});
-  for_each_row_of_eights(plan_->lattice, with_ghosts ? all : owned(), per_eight, [&](std::size_t first, std::size_t count) {
-    const std::size_t slot = first / per_eight * fccda::byte_lanes;
-    std::copy_n(whole.data() + whole_slot(slot) / fccda::byte_lanes * per_eight, count, own.data() + first);
+  const auto copy = [&](std::size_t first, std::size_t first_of_whole, std::size_t count) {
+    std::copy_n(whole.data() + first_of_whole, count, own.data() + first);
+  };
+  if (!with_ghosts) return for_each_owned_run(numbers, copy);
+  if (!is_of_lattice()) {
+    for (std::size_t eight = 0; eight < eights().size(); ++eight) copy(numbers.first(eight), numbers.first(eights()[eight]), numbers.each);
+    return;
+  }
+  const Lattice& own_lattice = lattice_part().lattice;
+  for_each_row_of_eights(own_lattice, {{0, 0, 0}, own_lattice.cells}, numbers.each, [&](std::size_t first, std::size_t count) {
+    copy(first, numbers.first(whole_slot(first / numbers.each * fccda::byte_lanes) / fccda::byte_lanes), count);
   });
 }
 
 template <class T>
 void Share::shift(const Lattice& lattice, std::span<const T> from, std::span<T> own, std::size_t per_eight, const std::array<int, 3>& by) const {
-  const std::vector<Peer> peers = peers_of_shift(lattice, by);
+  const std::vector<Shifted> peers = exchanged_in_shift(lattice, by);
   std::vector<std::vector<T>> sent(peers.size()), received(peers.size());
   std::vector<Ranks::Outgoing> outgoing;
   std::vector<Ranks::Incoming> incoming;
   for (std::size_t p = 0; p < peers.size(); ++p) {
-    const Peer& peer = peers[p];
+    const Shifted& peer = peers[p];
     for_each_row_of_eights(lattice, peer.send, per_eight, [&](std::size_t first, std::size_t count) {
       sent[p].insert(sent[p].end(), from.begin() + static_cast<std::ptrdiff_t>(first), from.begin() + static_cast<std::ptrdiff_t>(first + count));
     });
@@ -277,16 +333,16 @@ void Share::take_listed(std::span<const T> all, std::span<T> own, std::span<cons
 }
 
 template <class T>
-Share::Messages<T> Share::begin(std::span<T* const> arrays, CellBox Peer::*from, CellBox Peer::*to) const {
+Share::Messages<T> Share::begin(std::span<T* const> arrays, std::vector<SlotRun> Peer::*from, std::vector<SlotRun> Peer::*to) const {
   std::vector<std::vector<T>> sent(plan_->peers.size()), received(plan_->peers.size());
   std::vector<Ranks::Outgoing> outgoing;
   std::vector<Ranks::Incoming> incoming;
   for (std::size_t p = 0; p < plan_->peers.size(); ++p) {
     const Peer& peer = plan_->peers[p];
-    sent[p].reserve(arrays.size() * (peer.*from).cells());
-    received[p].resize(arrays.size() * (peer.*to).cells());
+    sent[p].reserve(arrays.size() * slots_in(peer.*from));
+    received[p].resize(arrays.size() * slots_in(peer.*to));
     for (const T* array : arrays)
-      for_each_run(plan_->lattice, peer.*from, [&](std::size_t slot, std::size_t count) { sent[p].insert(sent[p].end(), array + slot, array + slot + count); });
+      for (const SlotRun& run : peer.*from) sent[p].insert(sent[p].end(), array + run.first, array + run.first + run.count);
     outgoing.push_back({peer.rank, std::as_bytes(std::span(sent[p]))});
     incoming.push_back({peer.rank, std::as_writable_bytes(std::span(received[p]))});
   }
@@ -295,15 +351,15 @@ Share::Messages<T> Share::begin(std::span<T* const> arrays, CellBox Peer::*from,
 }
 
 template <class T, class Take>
-void Share::complete(const Plan& plan, Messages<T>& messages, std::span<T* const> arrays, CellBox Peer::*to, const Take& take) {
+void Share::complete(const Plan& plan, Messages<T>& messages, std::span<T* const> arrays, std::vector<SlotRun> Peer::*to, const Take& take) {
   messages.exchange->complete();
   for (std::size_t p = 0; p < plan.peers.size(); ++p) {
     const T* values = messages.received[p].data();
     for (T* array : arrays)
-      for_each_run(plan.lattice, plan.peers[p].*to, [&](std::size_t slot, std::size_t count) {
-        take(values, count, array + slot);
-        values += count;
-      });
+      for (const SlotRun& run : plan.peers[p].*to) {
+        take(values, run.count, array + run.first);
+        values += run.count;
+      }
   }
 }
 

@@ -10,21 +10,26 @@
 
 namespace perimpact {
 
-/// `per_eight` numbers of each eight slots: 8 of an array by slot, 1 of an array by eight.
+/// Numbers of each eight slots: 8 of an array by slot, 1 of an array by eight.
 template <class T>
 struct EightNumbers : std::span<T> {
-  EightNumbers(std::span<T> numbers, const Particles& particles) : std::span<T>(numbers), share(&particles.share()) {
-    const std::size_t eights = particles.slots() / fccda::byte_lanes;
-    per_eight = eights == 0 ? 0 : numbers.size() / eights;
+  EightNumbers(std::span<T> numbers, const Particles& particles, std::span<const std::size_t> begin_of_eight = {})
+      : std::span<T>(numbers), share(&particles.share()), per_eight{.begin = begin_of_eight} {
+    if (begin_of_eight.empty()) per_eight.each = numbers.size() / (particles.slots() / fccda::byte_lanes);
   }
   const Share* share;
-  std::size_t per_eight;
+  NumbersOfEights per_eight;
 };
 
 /// A visitor that passes all arrays on as numbers of the eights of a body.
 template <class Visitor>
 auto of_eights(const Particles& particles, Visitor& visit) {
-  return [&](const auto& name, auto&& values) { visit(name, EightNumbers(fccda::numbers_in(values), particles)); };
+  return [&](const auto& name, auto&& values) {
+    if constexpr (requires { values.begin_of_eight; })
+      visit(name, EightNumbers(fccda::numbers_in(values), particles, values.begin_of_eight));
+    else
+      visit(name, EightNumbers(fccda::numbers_in(values), particles));
+  };
 }
 
 /// `per_slot` numbers of each of some owned slots, ascending.

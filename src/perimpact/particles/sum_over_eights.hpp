@@ -14,18 +14,28 @@
 
 namespace perimpact {
 
-/// The value of sums to which each rank has added its terms. Collective.
+/// The values of sums to which each rank has added its terms, by one reduction. Collective.
 template <class Value>
-Value value_of_all(Ranks& ranks, fccda::ExactSums<Value> sums) {
+std::vector<Value> values_of_all(Ranks& ranks, std::span<fccda::ExactSums<Value>> all) {
   if (ranks.size() > 1) {
     std::vector<std::int64_t> limbs;
-    for (fccda::ExactSum& sum : sums.of_members()) limbs.insert(limbs.end(), sum.limbs().begin(), sum.limbs().end());
+    for (fccda::ExactSums<Value>& sums : all)
+      for (fccda::ExactSum& sum : sums.of_members()) limbs.insert(limbs.end(), sum.limbs().begin(), sum.limbs().end());
     ranks.sum(limbs);
     auto from = limbs.begin();
-    for (fccda::ExactSum& sum : sums.of_members())
-      for (std::int64_t& limb : sum.limbs()) limb = *from++;
+    for (fccda::ExactSums<Value>& sums : all)
+      for (fccda::ExactSum& sum : sums.of_members())
+        for (std::int64_t& limb : sum.limbs()) limb = *from++;
   }
-  return sums.value();
+  std::vector<Value> values;
+  for (const fccda::ExactSums<Value>& sums : all) values.push_back(sums.value());
+  return values;
+}
+
+/// The same of one.
+template <class Value>
+Value value_of_all(Ranks& ranks, fccda::ExactSums<Value> sums) {
+  return values_of_all(ranks, std::span(&sums, 1)).front();
 }
 
 /// The messages of value_of_all().

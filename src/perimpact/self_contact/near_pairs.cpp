@@ -53,7 +53,7 @@ NearPairs::NearPairs(const ShortRangeLaw& law, std::span<const ContactingBody> b
       largest = std::max(largest, particles_.back().size);
     }
     first_ids_.push_back(first_id);
-    first_id += share.is_whole() ? particles.slots() : share.whole().slots();
+    first_id += particles.slots_of_whole();
   }
   largest = ranks().max(largest);
   skin_ = skin_ratio * finest;

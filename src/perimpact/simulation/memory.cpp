@@ -96,6 +96,7 @@ struct BodyMemory {
   double bonds = 0;      ///< bonds and material
   double impactors = 0;  ///< what each impactor keeps of each particle
   double fragments = 0;  ///< of contact between fragments
+  double deck = 0;       ///< points of a cloud, in the deck and in the simulation's own set-up
 
   double making = 0;   ///< more while bonds are found and the material is built
   double step = 0;     ///< more while the stable time step is determined
@@ -143,8 +144,7 @@ BodyMemory memory_of(const Setup& setup, const BodySetup& body, const Discretisa
   memory.making = std::max(memory.making, material.setting_up);
   if (body.failure && (body.failure->weibull_modulus || !body.failure->no_fail.empty())) memory.making += number * n;  // strength of each slot
   memory.impactors = static_cast<double>(setup.impactors.size()) * (number + sizeof(int)) * n;                         // due distance, guess
-  if (const auto* points = std::get_if<PointsShape>(&body.shape))  // of the deck, and of the simulation's own set-up
-    memory.particles += 2 * (vector + number) * static_cast<double>(points->points.size());
+  if (const auto* points = std::get_if<PointsShape>(&body.shape)) memory.deck = 2 * (vector + number) * static_cast<double>(points->points.size());
   memory.step = std::max(4 * number * n + n / 2, stiffest_mode_of(setup, body, length, memory.particles + memory.bonds));
 
   // one array of vectors in single precision, and all arrays compressed: at most 19 bytes a particle (docs/guide/cluster.md)
@@ -165,15 +165,16 @@ BodyMemory memory_of(const Setup& setup, const BodySetup& body, const Discretisa
 Memory sum_of(std::span<const BodyMemory> bodies) {
   double filled = program, built = 0, others = 0, while_built = 0, step = 0;
   Memory sum;
-  for (const BodyMemory& body : bodies) filled += body.particles + body.impactors;
+  for (const BodyMemory& body : bodies) filled += body.particles + body.impactors + body.deck;
   for (const BodyMemory& body : bodies) {  // built one after the other
     built += body.bonds;
     others += body.fragments;
     while_built = std::max(while_built, filled + built + body.making);
     step = std::max(step, body.step);
     sum.rubble += body.rubble;
+    sum.decks += body.deck;
     sum.particles.push_back(body.count);
-    sum.of_bodies.push_back(body.particles + body.bonds);
+    sum.of_bodies.push_back(body.particles + body.bonds + body.deck);
     sum.pictures = std::max(sum.pictures, body.picture);
   }
   sum.at_rest = filled + built + others;
@@ -184,7 +185,7 @@ Memory sum_of(std::span<const BodyMemory> bodies) {
 }  // namespace
 
 void Memory::reduce_to(double share) {
-  double alike = program;  // on every rank
+  double alike = program + decks;  // on every rank
   for (const OfSurface& surface : of_surfaces) alike += surface.bytes;
   at_rest = alike + share * (at_rest - alike);
   for (double& of_body : of_bodies) of_body *= share;
@@ -198,15 +199,20 @@ double share_of_slots(const Lattice& whole, const CellBox& cells) {
   return static_cast<double>(own.slots()) / static_cast<double>(whole.slots());
 }
 
-double share_of_memory(const Setup& setup, std::span<const Discretisation> bodies, const Ranks& ranks) {
+double share_of_memory(const Setup& setup, std::span<const Discretisation> bodies, const Ranks& ranks, std::span<const MeasuredLoad> loads) {
   if (ranks.size() == 1) return 1;
   double largest = 0;
   RanksInTurn in_turn(ranks.size());
   for (std::size_t b = 0; b < bodies.size(); ++b) {
-    const auto* solid = std::get_if<BodySolid>(&bodies[b]);
-    if (!solid) return 1;
-    const Lattice whole = lattice_that_fills(setup.bodies[b], *solid);
-    const PartitionRule rule = partition_rule_of(setup.bodies[b], whole);
+    const MeasuredLoad load = b < loads.size() ? loads[b] : MeasuredLoad{};
+    if (const auto* cloud = std::get_if<Cloud>(&bodies[b])) {
+      const CloudPart part = part_of(setup.bodies[b], *cloud, ranks, in_turn.first_rank(), load);
+      in_turn.add(part.partition.parts());
+      largest = std::max(largest, static_cast<double>(part.eights.size()) / static_cast<double>(part.partition.eights()));
+      continue;
+    }
+    const Lattice whole = lattice_that_fills(setup.bodies[b], std::get<BodySolid>(bodies[b]));
+    const PartitionRule rule = partition_rule_of(setup.bodies[b], whole, load);
     const std::vector<CellBox> boxes = boxes_of_ranks(rule, ranks.size(), in_turn.first_rank());
     in_turn.add(count_parts(boxes));
     largest = std::max(largest, share_of_slots(whole, with_ghosts(boxes[static_cast<std::size_t>(ranks.rank())], rule)));

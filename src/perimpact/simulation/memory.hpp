@@ -19,6 +19,7 @@ struct Memory {
   double setting_up = 0;  ///< largest addition during the set-up
   double pictures = 0;    ///< largest addition while an output frame is written
   double rubble = 0;      ///< addition with `contact.fragments` if all bonds have broken, in rubble as dense as the solid
+  double decks = 0;       ///< of at_rest: points of clouds in the deck, which every rank has
 
   std::vector<double> particles;  ///< of each body, their number
   std::vector<double> of_bodies;  ///< of each body, for its own arrays
@@ -45,8 +46,8 @@ Memory memory_of(const Setup& setup, std::span<const Discretisation> bodies);
 /// Slots of a lattice of these cells over those of the whole.
 double share_of_slots(const Lattice& whole, const CellBox& cells);
 
-/// Share of the memory of the bodies that this rank needs: of the largest share of slots in any of them, with ghosts.
-double share_of_memory(const Setup& setup, std::span<const Discretisation> bodies, const Ranks& ranks);
+/// Share of the memory of the bodies that this rank needs: of the largest share of slots in any of them, with ghosts. `loads`: of each, or none.
+double share_of_memory(const Setup& setup, std::span<const Discretisation> bodies, const Ranks& ranks, std::span<const MeasuredLoad> loads = {});
 
 /// Throws SetupError, with the key of the largest body or surface, if the peak exceeds what is available. `memory`: memory_of these bodies.
 void expect_to_fit(const Setup& setup, std::span<const Discretisation> bodies, const Memory& memory, const AvailableMemory& available);

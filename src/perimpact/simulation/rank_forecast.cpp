@@ -11,8 +11,8 @@
 #include "perimpact/body/body.hpp"
 #include "perimpact/boundary_conditions/boundary_conditions.hpp"
 #include "perimpact/deck_model/setup_error.hpp"
+#include "perimpact/simulation/expect_parts.hpp"
 #include "perimpact/simulation/memory.hpp"
-#include "perimpact/simulation/ranks_support.hpp"
 #include "perimpact/simulation/sample_block.hpp"
 
 namespace perimpact {

@@ -1,6 +1,9 @@
 /// What the ranks of a run have sent and computed.
 #pragma once
 
+#include <vector>
+
+#include "perimpact/particles/measured_load.hpp"
 #include "perimpact/simulation/simulation.hpp"
 
 namespace perimpact {
@@ -16,5 +19,9 @@ struct RanksReport {
 
 /// Requires ranks that count what they send. Collective.
 RanksReport report_of_ranks(const Simulation& simulation);
+
+/// Of each body, from the time of each rank in the phases of force, which its cells of all bodies share equally; nothing for a run of one rank, or before
+/// the clock can tell the ranks apart. On all ranks. Collective.
+std::vector<MeasuredLoad> measured_loads(const Simulation& simulation);
 
 }  // namespace perimpact

@@ -129,7 +129,7 @@ class TakenState {
     const auto numbers = fccda::numbers_in(values);
     using T = typename decltype(numbers)::value_type;
     if constexpr (requires { values.per_eight; }) {
-      std::vector<T> whole(values.share->eights_of_whole() * values.per_eight);
+      std::vector<T> whole(values.share->count_of_whole(values.per_eight));
       source_(name, std::span<T>(whole));
       values.share->take(std::span<const T>(whole), numbers, values.per_eight);
     } else if constexpr (requires { values.per_slot; }) {

@@ -185,8 +185,8 @@ struct ImpactorOnBody {
 
 }  // namespace
 
-Simulation::Simulation(const Setup& setup, fccda::Stages::Announce announce, Ranks& ranks, const Processor& processor)
-    : Simulation(setup, Start(checked_for(processor, ranks, setup), fccda::Stages(std::move(announce)), ranks), {}, processor) {}
+Simulation::Simulation(const Setup& setup, fccda::Stages::Announce announce, Ranks& ranks, std::span<const MeasuredLoad> loads, const Processor& processor)
+    : Simulation(setup, Start(checked_for(processor, ranks, setup), fccda::Stages(std::move(announce)), ranks, loads), {}, processor) {}
 
 Simulation::Simulation(const Setup& setup, Start start, std::vector<UserForceOnBody> user_forces, const Processor& processor)
     : ranks_(start.ranks),
@@ -286,10 +286,7 @@ void Simulation::move_window(MovingWindow& window, long moves) {
   const std::size_t b = window.body();
   const Body& body = bodies_[b];
   std::size_t slots_before = 0;
-  for (std::size_t before = 0; before < b; ++before) {
-    const Particles& particles = bodies_[before].particles;
-    slots_before += particles.whole_lattice() ? particles.whole_lattice()->slots() : particles.slots();
-  }
+  for (std::size_t before = 0; before < b; ++before) slots_before += bodies_[before].particles.slots_of_whole();
   MovedState moved(captured, {body.name, b, slots_before, window.cells_of(moves), body.particles, body.family});
   visit_all(moved);
   boundary_conditions_[b].restart_potentials();

@@ -45,7 +45,9 @@ struct UserForceOnBody {
 class Simulation {
  public:
   /// Throws SetupError if the Setup is invalid.
-  explicit Simulation(const Setup& setup, fccda::Stages::Announce announce = {}, Ranks& ranks = alone(), const Processor& processor = {});
+  /// `loads`: of each body in an earlier run, by which ranks divide them, or none.
+  explicit Simulation(const Setup& setup, fccda::Stages::Announce announce = {}, Ranks& ranks = alone(), std::span<const MeasuredLoad> loads = {},
+                      const Processor& processor = {});
   /// The same from a Start of this Setup, possibly modified.
   Simulation(const Setup& setup, Start start, std::vector<UserForceOnBody> user_forces = {}, const Processor& processor = {});
 

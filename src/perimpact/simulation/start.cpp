@@ -7,19 +7,21 @@
 
 #include "perimpact/deck_model/setup_error.hpp"
 #include "perimpact/impactor/in_plane.hpp"
+#include "perimpact/simulation/expect_parts.hpp"
 #include "perimpact/simulation/memory.hpp"
-#include "perimpact/simulation/ranks_support.hpp"
 
 namespace perimpact {
 
 namespace {
 
-std::vector<Particles> fill(const Setup& setup, std::span<const Discretisation> bodies, fccda::Stages& stages, Ranks& ranks) {
+std::vector<Particles> fill(const Setup& setup, std::span<const Discretisation> bodies, fccda::Stages& stages, Ranks& ranks,
+                            std::span<const MeasuredLoad> loads) {
   std::vector<Particles> particles;
   RanksInTurn in_turn(ranks.size());
   for (std::size_t b = 0; b < bodies.size(); ++b) {
     stages.begin("particles", setup.bodies[b].name);
-    const Share& share = particles.emplace_back(make_particles(setup.bodies[b], bodies[b], ranks, in_turn.first_rank())).share();
+    const MeasuredLoad load = b < loads.size() ? loads[b] : MeasuredLoad{};
+    const Share& share = particles.emplace_back(make_particles(setup.bodies[b], bodies[b], ranks, in_turn.first_rank(), load)).share();
     in_turn.add(share.is_whole() ? ranks.size() : share.parts());
   }
   expect_parts_for_all(in_turn);
@@ -124,14 +126,14 @@ void project(Start& start, const Setup& setup) {
 
 }  // namespace
 
-Start::Read Start::read(const Setup& setup, fccda::Stages& stages, const Ranks& ranks) {
+Start::Read Start::read(const Setup& setup, fccda::Stages& stages, const Ranks& ranks, std::span<const MeasuredLoad> loads) {
   Read all;
   for (const BodySetup& body : setup.bodies) {
     stages.begin("solids and points", body.name);
     all.bodies.push_back(discretise(body));
   }
   Memory memory = memory_of(setup, all.bodies);
-  memory.reduce_to(share_of_memory(setup, all.bodies, ranks));
+  memory.reduce_to(share_of_memory(setup, all.bodies, ranks, loads));
   const AvailableMemory available = available_memory();
   expect_to_fit(setup, all.bodies, memory, available);
   for (const ImpactorSetup& impactor : setup.impactors) {
@@ -143,13 +145,13 @@ Start::Read Start::read(const Setup& setup, fccda::Stages& stages, const Ranks& 
   return all;
 }
 
-Start::Start(const Setup& setup, fccda::Stages given, Ranks& all)
-    : Start(setup, given, (expect_supported_by(all.size(), setup), read(setup, given, all)), all) {}
+Start::Start(const Setup& setup, fccda::Stages given, Ranks& all, std::span<const MeasuredLoad> loads)
+    : Start(setup, given, read(setup, given, all, loads), all, loads) {}
 
-Start::Start(const Setup& setup, fccda::Stages& given, Read read, Ranks& all)
+Start::Start(const Setup& setup, fccda::Stages& given, Read read, Ranks& all, std::span<const MeasuredLoad> loads)
     : ranks(&all),
       stages(std::move(given)),
-      particles(fill(setup, read.bodies, stages, all)),
+      particles(fill(setup, read.bodies, stages, all, loads)),
       filled_masses(masses_of(read.bodies, particles)),
       impactors(place(setup, std::move(read.surfaces), particles, stages)) {
   if (!impactors.empty()) stages.begin("initial overlap");

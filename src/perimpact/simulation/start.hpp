@@ -34,7 +34,8 @@ struct Start {
   std::vector<InitialPenetration> inside;
 
   /// Throws SetupError for insufficient memory, invalid impactors, or initial penetration that is refused or cannot be resolved.
-  explicit Start(const Setup& setup, fccda::Stages given = fccda::Stages(), Ranks& ranks = alone());
+  /// `loads`: of each body in an earlier run, by which ranks divide them, or none.
+  explicit Start(const Setup& setup, fccda::Stages given = fccda::Stages(), Ranks& ranks = alone(), std::span<const MeasuredLoad> loads = {});
 
  private:
   /// What is read before memory is allocated for bodies and searches.
@@ -42,8 +43,8 @@ struct Start {
     std::vector<Discretisation> bodies;
     std::vector<ImpactorSurface> surfaces;
   };
-  static Read read(const Setup& setup, fccda::Stages& stages, const Ranks& ranks);
-  Start(const Setup& setup, fccda::Stages& given, Read read, Ranks& ranks);
+  static Read read(const Setup& setup, fccda::Stages& stages, const Ranks& ranks, std::span<const MeasuredLoad> loads);
+  Start(const Setup& setup, fccda::Stages& given, Read read, Ranks& ranks, std::span<const MeasuredLoad> loads);
 };
 
 /// The largest magnitude of stretch (|x_j - x_i| - |ξ|)/|ξ| among the bonds of these particles.

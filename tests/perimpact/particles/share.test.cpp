@@ -35,7 +35,7 @@ TEST_CASE("share: each cell is owned by one rank, and a cell of a rank has the c
     std::mutex mutex;
     bool centres_agree = true;
     run_in_process(scene.ranks, [&](Ranks& ranks) {
-      const Share share(ranks, whole, scene.reach, false);
+      const Share share(ranks, whole, PartitionRule{whole.cells, scene.reach});
       const Lattice own = share.lattice();
       const std::lock_guard guard(mutex);
       for (std::size_t slot = 0; slot < own.slots(); ++slot) {
@@ -43,8 +43,8 @@ TEST_CASE("share: each cell is owned by one rank, and a cell of a rank has the c
         if (!own.contains(i, j, k)) continue;
         const std::size_t of_whole = share.whole_slot(slot);
         centres_agree = centres_agree && own.centre(slot) == whole.centre(of_whole);
-        if (share.owned().contains({i, j, k})) ++owners[of_whole];
-        CHECK((share.owned_slot(of_whole) == slot) == share.owned().contains({i, j, k}));
+        if (share.owned_cells().contains({i, j, k})) ++owners[of_whole];
+        CHECK((share.owned_slot(of_whole) == slot) == share.owned_cells().contains({i, j, k}));
       }
     });
     CHECK(centres_agree);
@@ -60,14 +60,14 @@ TEST_CASE("share: after a refresh every cell within reach of an owned one has th
     const Lattice whole = lattice_of(scene);
     std::mutex mutex;
     run_in_process(scene.ranks, [&](Ranks& ranks) {
-      const Share share(ranks, whole, scene.reach, false);
+      const Share share(ranks, whole, PartitionRule{whole.cells, scene.reach});
       const Lattice own = share.lattice();
       constexpr double stale = -1;
       std::vector<double> values(own.slots(), stale), twice = values;
       for (std::size_t slot = 0; slot < own.slots(); ++slot)
-        if (share.owned().contains(own.cell(slot))) values[slot] = number_of(share.whole_slot(slot)), twice[slot] = 2 * values[slot];
+        if (share.owned_cells().contains(own.cell(slot))) values[slot] = number_of(share.whole_slot(slot)), twice[slot] = 2 * values[slot];
       share.refresh({values.data(), twice.data()});
-      const CellBox near = share.owned().grown({scene.reach, scene.reach, whole.thickness ? 0 : scene.reach});
+      const CellBox near = share.owned_cells().grown({scene.reach, scene.reach, whole.thickness ? 0 : scene.reach});
       std::size_t refreshed = 0;
       const std::lock_guard guard(mutex);
       for (std::size_t slot = 0; slot < own.slots(); ++slot) {
@@ -76,7 +76,7 @@ TEST_CASE("share: after a refresh every cell within reach of an owned one has th
         const double expected = near.contains(cell) ? number_of(share.whole_slot(slot)) : stale;
         CHECK(values[slot] == expected);
         CHECK(twice[slot] == (expected == stale ? stale : 2 * expected));
-        if (near.contains(cell) && !share.owned().contains(cell)) ++refreshed;
+        if (near.contains(cell) && !share.owned_cells().contains(cell)) ++refreshed;
       }
       CHECK(share.ghosts() == refreshed);
     });
@@ -89,19 +89,19 @@ TEST_CASE("share: flags that a rank sets for its ghosts reach their owners, who 
     std::vector<std::uint8_t> wanted(whole.slots(), 0), found(whole.slots(), 0);
     std::mutex mutex;
     run_in_process(scene.ranks, [&](Ranks& ranks) {
-      const Share share(ranks, whole, scene.reach, false);
+      const Share share(ranks, whole, PartitionRule{whole.cells, scene.reach});
       std::vector<std::uint8_t> flags(share.lattice().slots(), 0);
       std::vector<std::size_t> set;
       share.for_each_ghost([&](std::size_t slot) {
         if (share.whole_slot(slot) % 5 == 0) flags[slot] = 1, set.push_back(slot);
       });
       for (std::size_t slot = 0; slot < flags.size(); ++slot)
-        if (share.owned().contains(share.lattice().cell(slot)) && share.whole_slot(slot) % 7 == 0) flags[slot] = 1, set.push_back(slot);
+        if (share.owned_cells().contains(share.lattice().cell(slot)) && share.whole_slot(slot) % 7 == 0) flags[slot] = 1, set.push_back(slot);
       share.collect_flags(flags.data());
       const std::lock_guard guard(mutex);
       for (const std::size_t slot : set) wanted[share.whole_slot(slot)] = 1;
       for (std::size_t slot = 0; slot < flags.size(); ++slot)
-        if (share.owned().contains(share.lattice().cell(slot))) found[share.whole_slot(slot)] = flags[slot];
+        if (share.owned_cells().contains(share.lattice().cell(slot))) found[share.whole_slot(slot)] = flags[slot];
     });
     CHECK(found == wanted);
   }
@@ -113,23 +113,23 @@ TEST_CASE("share: numbers of the eights of the body are gathered in order, and e
       const Lattice whole = lattice_of(scene);
       std::mutex mutex;
       run_in_process(scene.ranks, [&](Ranks& ranks) {
-        const Share share(ranks, whole, scene.reach, false);
+        const Share share(ranks, whole, PartitionRule{whole.cells, scene.reach});
         const std::size_t eights = share.lattice().slots() / 8;
         std::vector<double> own(eights * per_eight, -1);
         const auto number = [&](std::size_t eight, std::size_t n) { return number_of(share.whole_slot(8 * eight) / 8 * per_eight + n); };
         for (std::size_t eight = 0; eight < eights; ++eight)
-          if (share.owned().contains(share.lattice().cell(8 * eight)))
+          if (share.owned_cells().contains(share.lattice().cell(8 * eight)))
             for (std::size_t n = 0; n < per_eight; ++n) own[eight * per_eight + n] = number(eight, n);
-        const std::vector<double> gathered = share.gather(std::span<const double>(own), per_eight);
+        const std::vector<double> gathered = share.gather(std::span<const double>(own), {.each = per_eight});
         std::vector<double> expected;
         for (std::size_t n = 0; n < whole.slots() / 8 * per_eight; ++n) expected.push_back(number_of(n));
         std::vector<double> taken(own.size(), -1);
-        share.take(std::span<const double>(expected), std::span<double>(taken), per_eight);
+        share.take(std::span<const double>(expected), std::span<double>(taken), {.each = per_eight});
         const std::lock_guard guard(mutex);
         CHECK(gathered == (ranks.is_root() ? expected : std::vector<double>()));
         bool agree = true;
         for (std::size_t eight = 0; eight < eights; ++eight) {
-          const bool is_set = per_eight == 8 || share.owned().contains(share.lattice().cell(8 * eight));
+          const bool is_set = per_eight == 8 || share.owned_cells().contains(share.lattice().cell(8 * eight));
           for (std::size_t n = 0; n < per_eight; ++n) agree = agree && taken[eight * per_eight + n] == (is_set ? number(eight, n) : 0);
         }
         CHECK(agree);
@@ -141,11 +141,11 @@ TEST_CASE("share: numbers of listed particles are gathered by their slots in the
   const Lattice whole = lattice_of(scenes[0]);
   std::mutex mutex;
   run_in_process(3, [&](Ranks& ranks) {
-    const Share share(ranks, whole, 3, false);
+    const Share share(ranks, whole, PartitionRule{whole.cells, 3});
     std::vector<std::uint32_t> slots;
     std::vector<double> own;  // two of each
     for (std::size_t slot = 0; slot < share.lattice().slots(); ++slot)
-      if (share.owned().contains(share.lattice().cell(slot)) && share.whole_slot(slot) % 11 == 0) {
+      if (share.owned_cells().contains(share.lattice().cell(slot)) && share.whole_slot(slot) % 11 == 0) {
         slots.push_back(static_cast<std::uint32_t>(slot));
         own.insert(own.end(), {number_of(share.whole_slot(slot)), -number_of(share.whole_slot(slot))});
       }
@@ -171,10 +171,10 @@ TEST_CASE("share: a shift takes the numbers of the cells further on from whichev
         CAPTURE(count);
         CAPTURE(per_eight);
         run_in_process(count, [&](Ranks& ranks) {
-          const Share share(ranks, whole, 3, false);
+          const Share share(ranks, whole, PartitionRule{whole.cells, 3});
           const Lattice lattice = share.is_whole() ? whole : share.lattice();
           const auto number = [&](std::size_t whole_eight, std::size_t n) { return number_of(whole_eight * per_eight + n); };
-          const auto owns = [&](std::size_t eight) { return share.is_whole() || share.owned().contains(lattice.cell(8 * eight)); };
+          const auto owns = [&](std::size_t eight) { return share.is_whole() || share.owned_cells().contains(lattice.cell(8 * eight)); };
           std::vector<double> before(lattice.slots() / 8 * per_eight, -1), after(before.size(), -2), expected = after;
           for (std::size_t eight = 0; eight < lattice.slots() / 8; ++eight) {
             if (!owns(eight)) continue;
@@ -195,19 +195,19 @@ TEST_CASE("share: a shift takes the numbers of the cells further on from whichev
 
 TEST_CASE("share: columns are kept whole on request, and a body of few blocks of cells is divided among that many ranks, from the first given one on") {
   const Lattice sheet{.cells = {16, 12, 8}, .spacing = 1};
-  run_in_process(4, [&](Ranks& ranks) { REQUIRE(Share(ranks, sheet, 3, true).owned().size(2) == 8); });
+  run_in_process(4, [&](Ranks& ranks) { REQUIRE(Share(ranks, sheet, PartitionRule{sheet.cells, 3, true}).owned_cells().size(2) == 8); });
   const Lattice small{.cells = {8, 2, 1}, .spacing = 1};
   run_in_process(4, [&](Ranks& ranks) {
-    const Share share(ranks, small, 1, false, 3);
+    const Share share(ranks, small, PartitionRule{small.cells, 1}, 3);
     REQUIRE(share.parts() == 2);
     const bool is_owner = ranks.rank() == 3 || ranks.rank() == 0;
-    REQUIRE(share.owned().cells() == (is_owner ? 8 : 0));
+    REQUIRE(share.owned_cells().cells() == (is_owner ? 8 : 0));
     REQUIRE(share.peers() == (is_owner ? 1 : 0));
     REQUIRE(share.owner_of(0) == 3);
     REQUIRE(share.owner_of(8) == 0);
     std::vector<double> values(share.lattice().slots(), ranks.rank());
     share.refresh({values.data()});
-    const std::vector<double> gathered = share.gather(std::span<const double>(values), 8);
+    const std::vector<double> gathered = share.gather(std::span<const double>(values), {.each = 8});
     if (ranks.is_root()) REQUIRE(gathered == std::vector<double>{3, 3, 3, 3, 3, 3, 3, 3, 0, 0, 0, 0, 0, 0, 0, 0});
   });
 }

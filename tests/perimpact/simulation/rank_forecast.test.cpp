@@ -222,13 +222,13 @@ TEST_CASE("rank forecast: shares, ghosts and neighbours are those of the ranks o
     const std::vector<BodyShare> shares = shares_of(body, ranks);
     std::mutex mutex;
     run_in_process(ranks, [&](Ranks& its) {
-      const Share share(its, whole, rule.reach, rule.keeps_columns);
+      const Share share(its, whole, rule);
       const BodyShare& forecast = shares[static_cast<std::size_t>(its.rank())];
       const std::lock_guard guard(mutex);
       CHECK(forecast.neighbours == share.peers());
       CHECK(forecast.ghosts == static_cast<double>(share.ghosts()));
-      CHECK(forecast.sent_cells == static_cast<double>(share.sent_cells()));
-      if (ranks > 1) CHECK(forecast.cells == static_cast<double>(share.owned().cells()));
+      CHECK(forecast.sent_cells == static_cast<double>(share.sent_slots()));
+      if (ranks > 1) CHECK(forecast.cells == static_cast<double>(share.owned_cells().cells()));
       if (ranks > 1) CHECK(forecast.slots == fixtures::relative(static_cast<double>(share.lattice().slots()) / static_cast<double>(whole.slots()), 1e-12));
     });
   }
@@ -290,8 +290,8 @@ TEST_CASE("rank forecast: small bodies are divided among the ranks in turn, and 
   };
   const std::string forecast = refusal([&] { rank_forecast_of(setup, discretised(setup), 7, 0, {}); });
   CHECK(forecast ==
-        "bodies: 7 ranks are too many: the bodies can be divided among at most 6, since lattices are cut across x at multiples of eight cells only. "
-        "Use fewer.");
+        "bodies: 7 ranks are too many: the bodies can be divided among at most 6, since lattices are cut across x at multiples of eight cells only, "
+        "and point clouds between blocks of eight particles. Use fewer.");
   CHECK(refusal([&] { run_in_process(7, [&](Ranks& its) { Simulation(setup, {}, its); }); }) == forecast);
 }
 

@@ -7,6 +7,8 @@
 #include <vector>
 
 #include "perimpact/bodies.hpp"
+#include "perimpact/rank_scenes.hpp"
+#include "perimpact/rank_traces.hpp"
 #include "perimpact/ranks/in_process.hpp"
 #include "perimpact/simulations.hpp"
 
@@ -94,47 +96,6 @@ void check_equal(const Whole& a, const Whole& b) {
   CHECK(a.row == b.row);
 }
 
-/// A free cylinder that spins hits the edge of a plate and breaks bonds.
-Setup plate(const fixtures::BodyOptions& options = {}) {
-  Setup setup;
-  setup.time = {.end = 12e-6, .step = 2e-7};
-  fixtures::BodyOptions its = options;
-  its.size = {0.068, 0.042, options.plane == Plane::none ? 0.010 : 0.002}, its.spacing = 0.002;
-  BodySetup plate = fixtures::body_setup(its);
-  plate.name = "plate";
-  setup.bodies = {plate};
-  ImpactorSetup cylinder;
-  cylinder.name = "cylinder";
-  cylinder.surface = CylinderSurface{.diameter = 0.03, .height = 0.03, .edge_length = 0.002};
-  cylinder.mass = 0.02;
-  cylinder.position = {0.003, 0.0361, 0};
-  cylinder.velocity = {5, -200, 0};
-  cylinder.angular_velocity = {0, 0, 800};
-  cylinder.free_dofs = {"x", "y", "rz"};
-  setup.impactors = {cylinder};
-  setup.contact.impactors.friction = 0.2;
-  return setup;
-}
-
-/// A block of finer particles, with a pole on the far side of a plate, shatters it; fragments slide, are damped and fly into the territory of other ranks.
-Setup rubble(const fixtures::BodyOptions& options = {}) {
-  Setup setup;
-  setup.time = {.end = 24e-6, .step = 2e-7};
-  const bool plane = options.plane != Plane::none;
-  const auto body = [&](const char* name, const Vec3d& size, const Vec3d& position, const Vec3d& velocity, double spacing) {
-    fixtures::BodyOptions its = options;
-    its.size = {size.x, size.y, plane ? 0.002 : size.z}, its.spacing = spacing;
-    BodySetup setup_of_body = fixtures::body_setup(its);
-    setup_of_body.name = name, setup_of_body.position = {position.x, position.y, plane ? 0 : position.z}, setup_of_body.velocity = velocity;
-    return setup_of_body;
-  };
-  setup.bodies = {body("plate", {0.064, 0.016, 0.012}, {}, {}, 0.002), body("bullet", {0.012, 0.012, 0.006}, {0.003, 0.0145, 0.001}, {30, -500, 0}, 0.001),
-                  body("pole", {0.016, 0.008, 0.012}, {0.004, -0.0122, 0}, {}, 0.002)};
-  setup.contact.fragments.law.index = static_cast<int>(FragmentLaw::repulsive);
-  setup.contact.fragments.friction = 0.2;
-  return setup;
-}
-
 constexpr int counts[] = {2, 3, 4, 7, 8};
 
 }  // namespace
@@ -143,7 +104,7 @@ TEST_CASE("ranks: particles, bonds and a free impactor with friction are bitwise
   for (const double nu : {0.25, 0.3})
     for (const SurfaceCorrection correction : {SurfaceCorrection::automatic, SurfaceCorrection::volume})
       for (const fixtures::Model model : {fixtures::Model::ordinary_state, fixtures::Model::linear_solid}) {
-        const Setup setup = plate({.poissons_ratio = nu, .correction = correction, .critical_stretch = 2e-3, .model = model});
+        const Setup setup = fixtures::struck_plate({.poissons_ratio = nu, .correction = correction, .critical_stretch = 2e-3, .model = model});
         const Whole one = after(setup, 1);
         CHECK(one.contacts > 10);
         CHECK(std::count(one.bodies[0].bonds.begin(), one.bodies[0].bonds.end(), 0) > 0);
@@ -160,7 +121,7 @@ TEST_CASE("ranks: correspondence materials are bitwise those of one rank") {
   for (const Stabilisation stabilisation : {Stabilisation::bond_level, Stabilisation::wan})
     for (const Plane plane : {Plane::none, Plane::strain}) {
       const Setup setup =
-          ::perimpact::plate({.critical_stretch = 2e-3, .model = fixtures::Model::correspondence, .stabilisation = stabilisation, .plane = plane});
+          fixtures::struck_plate({.critical_stretch = 2e-3, .model = fixtures::Model::correspondence, .stabilisation = stabilisation, .plane = plane});
       const Whole one = after(setup, 1);
       CHECK(std::count(one.bodies[0].bonds.begin(), one.bodies[0].bonds.end(), 0) > 0);
       for (const int ranks : counts) {
@@ -177,7 +138,7 @@ TEST_CASE("ranks: bonds that are stronger under compression, or scattered in str
   weibull.weibull_modulus = 8;
   limit.compression = Choice{limit.compression.words, static_cast<int>(CompressionFailure::symmetric)};
   for (const FailureSetup& failure : {hardening, weibull, limit}) {
-    const Setup setup = plate({.critical_stretch = 2e-3, .failure = failure});
+    const Setup setup = fixtures::struck_plate({.critical_stretch = 2e-3, .failure = failure});
     const Whole one = after(setup, 1);
     CHECK(std::count(one.bodies[0].bonds.begin(), one.bodies[0].bonds.end(), 0) > 0);
     for (const int ranks : counts) {
@@ -189,7 +150,7 @@ TEST_CASE("ranks: bonds that are stronger under compression, or scattered in str
 
 TEST_CASE("ranks: material that yields under pressure flows as with one rank") {
   for (const double nu : {0.25, 0.3}) {
-    Setup setup = plate({.poissons_ratio = nu, .critical_stretch = 4e-3});
+    Setup setup = fixtures::struck_plate({.poissons_ratio = nu, .critical_stretch = 4e-3});
     PlasticitySetup& plasticity = std::get<OrdinaryStateSetup>(setup.bodies[0].material).plasticity.emplace();
     plasticity.compressive_strength = 400e6;
     const Whole one = after(setup, 1);
@@ -264,7 +225,7 @@ TEST_CASE("ranks: a floating sheet with a dry top and drag, between fixed and ab
 TEST_CASE("ranks: contact between fragments and bodies, with friction and restitution, in space and in a plane, is that of one rank") {
   for (const Plane plane : {Plane::none, Plane::strain})
     for (const double restitution : plane == Plane::none ? std::vector{0.7} : std::vector{1.0, 0.7}) {
-      Setup setup = rubble({.critical_stretch = 2e-3, .plane = plane});
+      Setup setup = fixtures::rubble({.critical_stretch = 2e-3, .plane = plane});
       setup.contact.fragments.restitution = restitution;
       const Whole one = after(setup, 1);
       for (const WholeBody& body : one.bodies) CHECK(std::count(body.bonds.begin(), body.bonds.end(), 0) > 100);
@@ -281,7 +242,7 @@ TEST_CASE("ranks: contact between fragments and bodies, with friction and restit
 }
 
 TEST_CASE("ranks: pairs of particles in range are those of one rank in every step, also where particles become exposed that had no bond to others in range") {
-  Setup setup = rubble({.critical_stretch = 2e-3});
+  Setup setup = fixtures::rubble({.critical_stretch = 2e-3});
   setup.time = {.end = 10e-6, .step = 1e-7};
   for (BodySetup& body : setup.bodies) body.horizon_ratio = 1.6, body.family.index = static_cast<int>(FamilyRule::madenci_oterkus);
   const auto hashes_of = [&](int ranks) {
@@ -305,7 +266,7 @@ TEST_CASE("ranks: pairs of particles in range are those of one rank in every ste
 }
 
 TEST_CASE("ranks: fragments that yield are compacted as with one rank") {
-  Setup setup = rubble({.critical_stretch = 2e-3});
+  Setup setup = fixtures::rubble({.critical_stretch = 2e-3});
   for (BodySetup& body : setup.bodies) std::get<OrdinaryStateSetup>(body.material).plasticity.emplace().compressive_strength = 400e6;
   setup.contact.fragments.friction = 0;
   const Whole one = after(setup, 1);
@@ -318,7 +279,7 @@ TEST_CASE("ranks: fragments that yield are compacted as with one rank") {
 
 TEST_CASE("ranks: a body that flies through the territory of other ranks meets the particles of each") {
   // along the plate, which is divided across its length: no rank of a particle in contact is a neighbour on the lattice
-  Setup setup = rubble({.critical_stretch = 0.02});
+  Setup setup = fixtures::rubble({.critical_stretch = 0.02});
   setup.time.end = 70e-6;
   setup.bodies.pop_back();
   setup.bodies[1].position = {-0.041, 0.0003, 0.0002}, setup.bodies[1].velocity = {900, 0, 0};
@@ -331,10 +292,10 @@ TEST_CASE("ranks: a body that flies through the territory of other ranks meets t
 }
 
 TEST_CASE("ranks: contact between fragments continues bitwise when its list of pairs is discarded, and from the state of another number of ranks") {
-  const Setup setup = rubble({.critical_stretch = 2e-3});
+  const Setup setup = fixtures::rubble({.critical_stretch = 2e-3});
   const std::uint64_t expected = after(setup, 1).hash;
   for (const int from : {1, 3}) {
-    std::map<std::string, std::vector<std::byte>> state;
+    fixtures::WholeState state;
     std::uint64_t hash_of_state = 0;
     run_in_process(from, [&](Ranks& its) {
       Simulation simulation(setup, {}, its);
@@ -343,25 +304,15 @@ TEST_CASE("ranks: contact between fragments continues bitwise when its list of p
         simulation.step();
       }
       const std::uint64_t hash = simulation.state_hash();
-      if (its.is_root()) hash_of_state = hash;
-      simulation.visit_whole_state([&](std::string_view name, auto&& values) {
-        const auto bytes = std::as_bytes(std::span(fccda::numbers_in(values)));
-        state[std::string(name)].assign(bytes.begin(), bytes.end());
-      });
+      const fixtures::WholeState all = fixtures::state_of_all_ranks(simulation);
+      if (its.is_root()) hash_of_state = hash, state = all;
     });
     for (const int ranks : {1, 2, 4, 7}) {
       CAPTURE(from);
       CAPTURE(ranks);
       run_in_process(ranks, [&](Ranks& its) {
         Simulation simulation(setup, {}, its);
-        simulation.take_whole_state([&](std::string_view name, auto&& values) {
-          const std::vector<std::byte>& bytes = state.at(std::string(name));
-          using Values = std::remove_cvref_t<decltype(values)>;
-          if constexpr (fccda::is_list<Values>) values.resize(bytes.size() / sizeof(typename Values::value_type));
-          const auto numbers = fccda::numbers_in(values);
-          REQUIRE(numbers.size_bytes() == bytes.size());
-          if (!bytes.empty()) std::memcpy(numbers.data(), bytes.data(), bytes.size());
-        });
+        fixtures::take(simulation, state);
         const std::uint64_t taken = simulation.state_hash();
         fixtures::run(simulation);
         const std::uint64_t hash = simulation.state_hash();

@@ -186,7 +186,8 @@ namespace perimpact {
 template <class Bonds, class F>
 void OrdinaryStateForce::with_view_of_lattice(Particles& particles, const Bonds& bonds, std::size_t rows, double dt, const F& f) {
   const ordinary_state::BodyView<Bonds, ordinary_state::StencilConstants> body{
-      particles.view(), bonds, {folded_.data(), rows}, correction_.table_of().data(), law_.a(), particles.force_density.writable_pointers(), theta_.component(0), dt};
+      particles.view(),    bonds, {folded_.data(), rows}, correction_.table_of().data(), law_.a(), particles.force_density.writable_pointers(),
+      theta_.component(0), dt};
   if (correction_.kind() == CorrectionKind::family)
     f(body, corrections_by_family());
   else
