@@ -3,20 +3,77 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <optional>
+
+#include "perimpact/particles/cell_box.hpp"
 
 namespace perimpact {
 
+namespace {
+
+/// Distances from a point to the particles of this rank. On a lattice only cells around the point are searched.
+class Distances {
+ public:
+  Distances(const Particles& particles, const Vec3d& point) : particles_(particles), point_(point) {
+    if (!particles.lattice()) return;
+    const Lattice& lattice = *particles.lattice();
+    const CellBox all{{0, 0, 0}, lattice.cells};
+    for (int reach = 2;; reach *= 2) {
+      cells_ = around(lattice, reach);
+      // beyond these cells every particle is farther away than reach + 1/2 spacings
+      if (*cells_ == all || nearest() <= reach * lattice.spacing) return;
+    }
+  }
+
+  double nearest() const {
+    double least = std::numeric_limits<double>::infinity();
+    for_each([&](std::size_t, double distance) { least = std::min(least, distance); });
+    return least;
+  }
+
+  /// Calls visit(slot, distance), slots ascending, for the nearest particle and all that are at most half a spacing farther away, and some others.
+  template <class Visit>
+  void for_each(const Visit& visit) const {
+    const auto with_distance = [&](std::size_t slot) { visit(slot, norm(particles_.reference(slot) - point_)); };
+    if (!cells_) {
+      for (const std::uint32_t slot : particles_.slot_of()) with_distance(slot);
+      return;
+    }
+    const Lattice& lattice = *particles_.lattice();
+    for (int k = cells_->low[2]; k < cells_->high[2]; ++k)
+      for (int j = cells_->low[1]; j < cells_->high[1]; ++j)
+        for (int i = cells_->low[0]; i < cells_->high[0]; ++i)
+          if (const std::size_t slot = lattice.slot(i, j, k); particles_.owns(slot)) with_distance(slot);
+  }
+
+ private:
+  /// Cells at most `reach` cells from that of the point along each axis, within the lattice.
+  CellBox around(const Lattice& lattice, int reach) const {
+    CellBox box;
+    for (std::size_t axis = 0; axis < 3; ++axis) {
+      const double cell = std::round((point_[axis] - lattice.origin[axis]) / lattice.spacing) - lattice.first[axis];
+      box.low[axis] = static_cast<int>(std::clamp(cell - reach, 0.0, static_cast<double>(lattice.cells[axis])));
+      box.high[axis] = static_cast<int>(std::clamp(cell + reach + 1, 0.0, static_cast<double>(lattice.cells[axis])));
+    }
+    return box;
+  }
+
+  const Particles& particles_;
+  Vec3d point_;
+  std::optional<CellBox> cells_;
+};
+
+}  // namespace
+
 Sample::Sample(const Body& body, const Vec3d& point) : at(point) {
   const Particles& particles = body.particles;
-  double nearest = std::numeric_limits<double>::infinity();
-  for (const std::uint32_t slot : particles.slot_of()) nearest = std::min(nearest, norm(particles.reference(slot) - point));
+  const Distances distances(particles, point);
   Ranks& ranks = particles.share().ranks();
-  nearest = ranks.min(nearest);
-  const double limit = nearest + 1e-6 * particles.spacing();
+  const double limit = ranks.min(distances.nearest()) + 1e-6 * particles.spacing();
   std::vector<Near> own;
-  for (const std::uint32_t slot : particles.slot_of())
-    if (const double distance = norm(particles.reference(slot) - point); own.size() < most && distance <= limit)
-      own.push_back({particles.share().whole_slot(slot), slot, ranks.rank(), distance});
+  distances.for_each([&](std::size_t slot, double distance) {
+    if (own.size() < most && distance <= limit) own.push_back({particles.share().whole_slot(slot), slot, ranks.rank(), distance});
+  });
   near_ = ranks.join_all(std::span<const Near>(own));
   std::ranges::sort(near_, {}, &Near::whole_slot);
   near_.resize(std::min(near_.size(), most));
