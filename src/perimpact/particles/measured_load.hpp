@@ -1,4 +1,4 @@
-/// Cost of the parts of a body in an earlier run of several ranks, by which ranks divide the body anew.
+/// Cost of the parts of a body in an earlier run of several ranks, by which ranks divide it again.
 #pragma once
 
 #include <span>
