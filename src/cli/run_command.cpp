@@ -133,8 +133,8 @@ void print_end(const Simulation& simulation, const RunFolder& folder, int signal
 
 /// Runs the deck in the folder; signals are recorded from the end of the set-up. The signal that ended the run, or 0.
 int run_deck(const deck::Deck& deck, const RunFolder& folder, const RunArguments& arguments, std::optional<StopSignals>& signals, Messages& messages,
-             Ranks& ranks) {
-  Simulation simulation = set_up(deck, messages, &folder, ranks, opened_processor(arguments.device));
+             Ranks& ranks, const Processor& processor) {
+  Simulation simulation = set_up(deck, messages, &folder, ranks, processor);
   signals.emplace(StopSignals::SecondInterrupt::ends_program);
   RunLoop loop(simulation);
   messages.stage("first output frame");
@@ -178,7 +178,7 @@ int run_command(const RunArguments& given) {
   const auto form = arguments.progress == "json" ? Messages::Form::json_lines : Messages::Form::text;
   Messages messages(arguments.messages, ranks.is_root() ? form : Messages::Form::none);
   return logged(messages, [&] {
-    opened_processor(arguments.device);  // before anything that takes time
+    const Processor processor = opened_processor(arguments.device);  // before anything that takes time
     const deck::Deck deck = open_deck(arguments, messages);
     const std::filesystem::path path = results_folder(arguments, deck.setup);
     return with_places(deck, {.path = path, .lists_files = true, .is_written = ranks.is_root()}, [&] {
@@ -194,7 +194,7 @@ int run_command(const RunArguments& given) {
         return 0;
       }
       messages.print(deck.setup.title + '\n');
-      if (const int signal = run_deck(deck, folder, arguments, signals, messages, ranks)) return 128 + signal;
+      if (const int signal = run_deck(deck, folder, arguments, signals, messages, ranks, processor)) return 128 + signal;
       if (!arguments.no_report) try_report(path, messages);  // after the memory of the run is released
       return 0;
     });

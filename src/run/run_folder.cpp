@@ -53,10 +53,7 @@ RunFolder::RunFolder(fs::path folder, EarlierRun earlier, Requests requests, con
   is_finished_ = ranks.any(is_finished_);
   if (earlier_ != EarlierRun::resume || ranks.size() == 1) return;
   loads_.resize(setup.bodies.size());
-  for (MeasuredLoad& load : loads_) {
-    const std::vector<double> numbers = numbers_of(load);
-    load = load_of(ranks.join_all(std::span<const double>(numbers)));  // the root alone has any
-  }
+  for (MeasuredLoad& load : loads_) load = ranks.join_all(std::span<const MeasuredPart>(load));  // the root alone has any
 }
 
 void RunFolder::claim(const Setup& setup) {

@@ -119,6 +119,14 @@ inline void shake(Body& body, double amount, unsigned seed = 1) {
   }
 }
 
+/// Gives every particle a velocity of up to `amount` [m/s] in each direction, in the plane where the body is plane.
+inline void set_random_velocities(Body& body, double amount, unsigned seed = 5) {
+  std::mt19937_64 random(seed);
+  std::uniform_real_distribution<double> speed(-amount, amount);
+  for (const std::uint32_t slot : body.particles.slot_of())
+    body.particles.velocity.set(slot, {speed(random), speed(random), body.particles.is_plane() ? 0 : speed(random)});
+}
+
 /// Maps every particle from its reference position.
 template <class Map>
 void deform(Body& body, const Map& map) {

@@ -15,21 +15,16 @@ namespace {
 class Distances {
  public:
   Distances(const Particles& particles, const Vec3d& point) : particles_(particles), point_(point) {
-    if (!particles.lattice()) return;
-    const Lattice& lattice = *particles.lattice();
-    const CellBox all{{0, 0, 0}, lattice.cells};
+    const Lattice* const lattice = particles.lattice();
     for (int reach = 2;; reach *= 2) {
-      cells_ = around(lattice, reach);
+      if (lattice) cells_ = around(*lattice, reach);
+      for_each([&](std::size_t, double distance) { nearest_ = std::min(nearest_, distance); });
       // beyond these cells every particle is farther away than reach + 1/2 spacings
-      if (*cells_ == all || nearest() <= reach * lattice.spacing) return;
+      if (!lattice || *cells_ == CellBox{{0, 0, 0}, lattice->cells} || nearest_ <= reach * lattice->spacing) return;
     }
   }
 
-  double nearest() const {
-    double least = std::numeric_limits<double>::infinity();
-    for_each([&](std::size_t, double distance) { least = std::min(least, distance); });
-    return least;
-  }
+  double nearest() const { return nearest_; }  ///< [m]; infinite without particles
 
   /// Calls visit(slot, distance), slots ascending, for the nearest particle and all that are at most half a spacing farther away, and some others.
   template <class Visit>
@@ -61,6 +56,7 @@ class Distances {
   const Particles& particles_;
   Vec3d point_;
   std::optional<CellBox> cells_;
+  double nearest_ = std::numeric_limits<double>::infinity();
 };
 
 }  // namespace

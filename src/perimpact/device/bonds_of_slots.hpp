@@ -43,26 +43,17 @@ class BitsOfSlot {
 };
 
 /// Bonds of a lattice, as for_each_bond() takes them.
-class BondsOfSlots {
+class BondsOfSlots : public BondsAlongStencil<std::uint32_t> {
  public:
   /// In device memory: `words` of all slots, and `offsets` in slots of the bonds of the stencil.
   BondsOfSlots(std::uint32_t* words, const std::ptrdiff_t* offsets, std::size_t rows)
-      : words_(words), offsets_(offsets), rows_(static_cast<std::uint32_t>(rows)), words_of_slot_(static_cast<std::uint32_t>(device::words_of_slot(rows))) {}
+      : BondsAlongStencil(offsets, rows), words_(words), words_of_slot_(static_cast<std::uint32_t>(device::words_of_slot(rows))) {}
 
-  template <class Pack>
-  using Neighbour = StencilNeighbour<Pack>;
   FCCDA_HD BitsOfSlot bits(std::size_t slot) const { return BitsOfSlot(words_ + first_word(slot, words_of_slot_)); }
-  FCCDA_HD std::size_t rows(std::size_t) const { return rows_; }
-  FCCDA_HD std::size_t index(std::size_t, std::size_t row, std::size_t) const { return row; }
-  template <class Pack>
-  FCCDA_HD Neighbour<Pack> neighbour(std::size_t slot, std::size_t index) const {
-    return {static_cast<std::ptrdiff_t>(slot) + offsets_[index]};
-  }
 
  private:
   std::uint32_t* words_;
-  const std::ptrdiff_t* offsets_;
-  std::uint32_t rows_, words_of_slot_;
+  std::uint32_t words_of_slot_;
 };
 
 }  // namespace perimpact::device

@@ -37,15 +37,12 @@ struct StencilNeighbour {
   FCCDA_HD std::size_t slot_of(std::size_t lane) const { return static_cast<std::size_t>(slot) + lane; }
 };
 
-/// Bonds of a lattice.
-class StencilBonds {
+/// Geometry of the bonds of a lattice, without their bits. `Count`: of rows.
+template <class Count>
+class BondsAlongStencil {
  public:
-  explicit StencilBonds(Family& family) : bits_(family.bytes(0)), offsets_(family.offsets().data()), rows_(family.offsets().size()) {}
-
   template <class Pack>
   using Neighbour = StencilNeighbour<Pack>;
-  FCCDA_HD std::uint8_t* bytes(std::size_t eight) const { return bits_ + eight * rows_; }
-  FCCDA_HD BitsOfPack bits(std::size_t slot) const { return {bytes(slot / fccda::byte_lanes), slot % fccda::byte_lanes}; }
   FCCDA_HD std::size_t rows(std::size_t) const { return rows_; }
   FCCDA_HD std::size_t index(std::size_t, std::size_t row, std::size_t) const { return row; }
   template <class Pack>
@@ -53,10 +50,25 @@ class StencilBonds {
     return {static_cast<std::ptrdiff_t>(slot) + offsets_[index]};
   }
 
+ protected:
+  /// `offsets`: in slots, of each bond of the stencil.
+  BondsAlongStencil(const std::ptrdiff_t* offsets, std::size_t rows) : offsets_(offsets), rows_(static_cast<Count>(rows)) {}
+
+ private:
+  const std::ptrdiff_t* offsets_;
+  Count rows_;
+};
+
+/// Bonds of a lattice.
+class StencilBonds : public BondsAlongStencil<std::size_t> {
+ public:
+  explicit StencilBonds(Family& family) : BondsAlongStencil(family.offsets().data(), family.offsets().size()), bits_(family.bytes(0)) {}
+
+  FCCDA_HD std::uint8_t* bytes(std::size_t eight) const { return bits_ + eight * rows(eight); }
+  FCCDA_HD BitsOfPack bits(std::size_t slot) const { return {bytes(slot / fccda::byte_lanes), slot % fccda::byte_lanes}; }
+
  private:
   std::uint8_t* bits_;
-  const std::ptrdiff_t* offsets_;
-  std::size_t rows_;
 };
 
 /// Bonds of a point cloud: each lane has its own neighbour.

@@ -17,6 +17,9 @@ struct MeasuredPart {
 /// The parts of a body, which tile it; empty if nothing was measured.
 using MeasuredLoad = std::vector<MeasuredPart>;
 
+/// That of a body, in loads of all or none.
+inline MeasuredLoad load_of_body(std::span<const MeasuredLoad> loads, std::size_t body) { return body < loads.size() ? loads[body] : MeasuredLoad{}; }
+
 /// [s] of a box of cells.
 inline double cost_of(std::span<const MeasuredPart> load, const CellBox& box) {
   double cost = 0;

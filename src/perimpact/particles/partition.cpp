@@ -21,17 +21,17 @@ int unit_of(std::size_t axis) { return axis == 0 ? static_cast<int>(fccda::byte_
 
 int units_of(int cells, std::size_t axis) { return (cells + unit_of(axis) - 1) / unit_of(axis); }
 
-/// Work of a rank, in cells of mean cost that are computed.
-double work_of(const CellBox& box, const PartitionRule& rule) {
-  const CellBox all{{0, 0, 0}, rule.cells}, around = intersection(box.grown({rule.reach, rule.reach, rule.reach}), all);
-  const auto cells = static_cast<double>(box.cells());
-  const double computed = rule.load.empty() ? cells : cost_of(rule.load, box) / cost_of(rule.load, all) * static_cast<double>(all.cells());
-  return computed + cost_of_ghost * (static_cast<double>(around.cells()) - cells);
-}
-
+/// Largest work of a rank, in cells of mean cost that are computed.
 double largest_work(const std::vector<CellBox>& boxes, const PartitionRule& rule) {
+  const CellBox all{{0, 0, 0}, rule.cells};
+  const double mean_cost = cost_of(rule.load, all) / static_cast<double>(all.cells());
   double largest = 0;
-  for (const CellBox& box : boxes) largest = std::max(largest, work_of(box, rule));
+  for (const CellBox& box : boxes) {
+    const CellBox around = intersection(box.grown({rule.reach, rule.reach, rule.reach}), all);
+    const auto cells = static_cast<double>(box.cells());
+    const double computed = rule.load.empty() ? cells : cost_of(rule.load, box) / mean_cost;
+    largest = std::max(largest, computed + cost_of_ghost * (static_cast<double>(around.cells()) - cells));
+  }
   return largest;
 }
 
@@ -108,6 +108,12 @@ Cut best_cut(const CellBox& box, std::size_t axis, int first, int ranks, const P
   return best;
 }
 
+/// The rule with the measured parts that have cells in the box.
+PartitionRule within(const CellBox& box, PartitionRule rule) {
+  std::erase_if(rule.load, [&](const MeasuredPart& part) { return intersection(part.cells, box).cells() == 0; });
+  return rule;
+}
+
 void bisect(const CellBox& box, int ranks, const PartitionRule& rule, std::vector<CellBox>& boxes) {
   const int first = ranks / 2;
   Cut best{0, 0, std::numeric_limits<double>::infinity()};
@@ -117,8 +123,8 @@ void bisect(const CellBox& box, int ranks, const PartitionRule& rule, std::vecto
   if (!std::isfinite(best.cost)) return boxes.push_back(box);
   CellBox lower = box, upper = box;
   lower.high[best.axis] = upper.low[best.axis] = best.at;
-  bisect(lower, first, rule, boxes);
-  bisect(upper, ranks - first, rule, boxes);
+  bisect(lower, first, within(lower, rule), boxes);
+  bisect(upper, ranks - first, within(upper, rule), boxes);
 }
 
 /// Cells around a box that hold ghosts.

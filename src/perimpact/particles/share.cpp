@@ -122,17 +122,19 @@ int Share::parts() const {
   return is_of_lattice() ? count_parts(lattice_part().boxes) : cloud_part().partition.parts();
 }
 
+std::size_t Share::count_of_owned(const NumbersOfEights& numbers) const {
+  std::size_t count = 0;
+  for (const SlotRun& run : owned()) count += numbers.of(run).count;
+  return count;
+}
+
 std::size_t Share::count_of_whole(const NumbersOfEights& numbers) const {
-  if (numbers.begin.empty()) return slots_of_whole() / fccda::byte_lanes * numbers.each;
-  std::int64_t own = 0;
-  for (const SlotRun& run : owned())
-    own += static_cast<std::int64_t>(numbers.first((run.first + run.count) / fccda::byte_lanes) - numbers.first(run.first / fccda::byte_lanes));
-  return static_cast<std::size_t>(ranks_->sum(own));
+  if (numbers.begin.empty()) return numbers.first(slots_of_whole() / fccda::byte_lanes);
+  return static_cast<std::size_t>(ranks_->sum(static_cast<std::int64_t>(count_of_owned(numbers))));
 }
 
 std::size_t Share::first_of_varying(const NumbersOfEights& numbers) const {
-  std::uint64_t own = 0;
-  for (const SlotRun& run : owned()) own += numbers.first((run.first + run.count) / fccda::byte_lanes) - numbers.first(run.first / fccda::byte_lanes);
+  const std::uint64_t own = count_of_owned(numbers);
   const std::vector<std::uint64_t> counts = ranks_->join_all(std::span<const std::uint64_t>(&own, 1));
   const CloudPartition& partition = cloud_part().partition;
   std::size_t before = 0;

@@ -39,6 +39,11 @@ struct NumbersOfEights {
   std::span<const std::size_t> begin;  ///< first of each eight, and one past the last; empty unless they vary
 
   std::size_t first(std::size_t eight) const { return begin.empty() ? eight * each : begin[eight]; }
+  /// The numbers of a run of whole eights.
+  SlotRun of(const SlotRun& run) const {
+    const std::size_t eight = run.first / fccda::byte_lanes, begin_of_run = first(eight);
+    return {begin_of_run, first(eight + run.count / fccda::byte_lanes) - begin_of_run};
+  }
 };
 
 class Share {
@@ -183,6 +188,7 @@ class Share {
   static std::vector<std::size_t> order_of(std::span<const std::uint64_t> numbers);
   /// How many the ranks before this one have, if each calls with its count. Collective.
   std::size_t first_of_own(std::size_t count) const;
+  std::size_t count_of_owned(const NumbersOfEights& numbers) const;
   /// The first of the numbers of owned eights among those of the whole body, where they vary. Collective.
   std::size_t first_of_varying(const NumbersOfEights& numbers) const;
   /// Begins to send the numbers in some runs of each peer, and to receive those for others.
@@ -220,8 +226,8 @@ template <class F>
 void Share::for_each_owned_run(const NumbersOfEights& numbers, const F& f) const {
   const std::size_t first_if_varying = numbers.begin.empty() ? 0 : first_of_varying(numbers);
   for (const SlotRun& run : plan_->owned) {
-    const std::size_t eight = run.first / fccda::byte_lanes, first = numbers.first(eight), end = numbers.first(eight + run.count / fccda::byte_lanes);
-    f(first, numbers.begin.empty() ? numbers.first(whole_slot(run.first) / fccda::byte_lanes) : first_if_varying, end - first);
+    const auto [first, count] = numbers.of(run);
+    f(first, numbers.begin.empty() ? numbers.first(whole_slot(run.first) / fccda::byte_lanes) : first_if_varying, count);
   }
 }
 
@@ -230,8 +236,8 @@ std::vector<T> Share::gather(std::span<const T> own, const NumbersOfEights& numb
   if (!plan_) return {own.begin(), own.end()};
   std::vector<T> sent;
   for (const SlotRun& run : plan_->owned) {
-    const std::size_t eight = run.first / fccda::byte_lanes, end = eight + run.count / fccda::byte_lanes;
-    sent.insert(sent.end(), own.begin() + static_cast<std::ptrdiff_t>(numbers.first(eight)), own.begin() + static_cast<std::ptrdiff_t>(numbers.first(end)));
+    const auto [first, count] = numbers.of(run);
+    sent.insert(sent.end(), own.begin() + static_cast<std::ptrdiff_t>(first), own.begin() + static_cast<std::ptrdiff_t>(first + count));
   }
   const std::vector<Ranks::Bytes> all = ranks_->gather(std::as_bytes(std::span<const T>(sent)));
   if (all.empty()) return {};

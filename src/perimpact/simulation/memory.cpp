@@ -204,7 +204,7 @@ double share_of_memory(const Setup& setup, std::span<const Discretisation> bodie
   double largest = 0;
   RanksInTurn in_turn(ranks.size());
   for (std::size_t b = 0; b < bodies.size(); ++b) {
-    const MeasuredLoad load = b < loads.size() ? loads[b] : MeasuredLoad{};
+    const MeasuredLoad load = load_of_body(loads, b);
     if (const auto* cloud = std::get_if<Cloud>(&bodies[b])) {
       const CloudPart part = part_of(setup.bodies[b], *cloud, ranks, in_turn.first_rank(), load);
       in_turn.add(part.partition.parts());

@@ -31,17 +31,14 @@ std::vector<MeasuredLoad> measured_loads(const Simulation& simulation) {
   const double own = simulation.seconds_of_forces();
   const std::vector<double> seconds = ranks.join_all(std::span(&own, 1));
   if (ranks.size() == 1 || std::ranges::max(seconds) < least) return loads;
-  for (std::size_t rank = 0; rank < seconds.size(); ++rank) {
+  const auto share_of = [&](std::size_t body) -> const Share& { return simulation.bodies()[body].particles.share(); };
+  const auto slots_of_cell = [&](std::size_t body) { return share_of(body).is_of_lattice() ? 1.0 : static_cast<double>(fccda::byte_lanes); };
+  for (int rank = 0; rank < ranks.size(); ++rank) {
     double slots = 0;
-    const auto slots_of = [&](const Share& share, const CellBox& part) {
-      return static_cast<double>(part.cells()) * (share.is_of_lattice() ? 1 : fccda::byte_lanes);
-    };
-    for (const Body& body : simulation.bodies()) slots += slots_of(body.particles.share(), body.particles.share().part_of(static_cast<int>(rank)));
-    for (std::size_t b = 0; b < loads.size(); ++b) {
-      const Share& share = simulation.bodies()[b].particles.share();
-      const CellBox part = share.part_of(static_cast<int>(rank));
-      if (part.cells() > 0) loads[b].push_back({part, seconds[rank] / slots * slots_of(share, part) / static_cast<double>(part.cells())});
-    }
+    for (std::size_t b = 0; b < loads.size(); ++b) slots += static_cast<double>(share_of(b).part_of(rank).cells()) * slots_of_cell(b);
+    for (std::size_t b = 0; b < loads.size(); ++b)
+      if (const CellBox part = share_of(b).part_of(rank); part.cells() > 0)
+        loads[b].push_back({part, seconds[static_cast<std::size_t>(rank)] / slots * slots_of_cell(b)});
   }
   return loads;
 }

@@ -20,8 +20,7 @@ std::vector<Particles> fill(const Setup& setup, std::span<const Discretisation> 
   RanksInTurn in_turn(ranks.size());
   for (std::size_t b = 0; b < bodies.size(); ++b) {
     stages.begin("particles", setup.bodies[b].name);
-    const MeasuredLoad load = b < loads.size() ? loads[b] : MeasuredLoad{};
-    const Share& share = particles.emplace_back(make_particles(setup.bodies[b], bodies[b], ranks, in_turn.first_rank(), load)).share();
+    const Share& share = particles.emplace_back(make_particles(setup.bodies[b], bodies[b], ranks, in_turn.first_rank(), load_of_body(loads, b))).share();
     in_turn.add(share.is_whole() ? ranks.size() : share.parts());
   }
   expect_parts_for_all(in_turn);

@@ -4,7 +4,6 @@
 
 #include <algorithm>
 #include <map>
-#include <random>
 #include <string>
 #include <vector>
 
@@ -20,10 +19,7 @@ namespace {
 Body moving(const fixtures::BodyOptions& options) {
   Body body = fixtures::body(options);
   fixtures::shake(body, 2e-6);
-  std::mt19937_64 random(5);
-  std::uniform_real_distribution<double> speed(-30, 30);
-  for (const std::uint32_t slot : body.particles.slot_of())
-    body.particles.velocity.set(slot, {speed(random), speed(random), body.particles.is_plane() ? 0 : speed(random)});
+  fixtures::set_random_velocities(body, 30);
   return body;
 }
 

@@ -2,7 +2,6 @@
 #include <doctest/doctest.h>
 
 #include <cmath>
-#include <random>
 
 #include "base/parallel.hpp"
 #include "fixtures/tolerance.hpp"
@@ -19,10 +18,7 @@ Body shaken(fixtures::BodyOptions options, bool breaks) {
   if (breaks) options.critical_stretch = 5e-3;
   Body body = fixtures::body(options);
   fixtures::shake(body, 3e-6);
-  std::mt19937_64 random(5);
-  std::uniform_real_distribution<double> speed(-10, 10);
-  for (const std::uint32_t slot : body.particles.slot_of())
-    body.particles.velocity.set(slot, {speed(random), speed(random), body.particles.is_plane() ? 0 : speed(random)});
+  fixtures::set_random_velocities(body, 10);
   return body;
 }
 

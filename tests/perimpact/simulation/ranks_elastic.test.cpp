@@ -8,6 +8,7 @@
 #include "fixtures/temporary_folder.hpp"
 #include "perimpact/bodies.hpp"
 #include "perimpact/elastic_modes.hpp"
+#include "perimpact/rank_scenes.hpp"
 #include "perimpact/rank_traces.hpp"
 
 namespace perimpact {
@@ -16,19 +17,12 @@ namespace {
 
 /// An elastic cylinder that flies in x and y, or is guided there, breaks the edge of a plate, which a rigid ball presses against it from aside.
 Setup plate(const std::filesystem::path& folder, bool is_free, double friction) {
-  Setup setup;
-  setup.time = {.end = 1e-5, .step = 2e-7};
+  Setup setup = fixtures::struck_plate({.poissons_ratio = 0.3, .critical_stretch = 2e-3});
+  setup.time.end = 1e-5;
   setup.output.history_interval = 1e-6;
-  BodySetup plate = fixtures::body_setup({.size = {0.068, 0.042, 0.010}, .spacing = 0.002, .poissons_ratio = 0.3, .critical_stretch = 2e-3});
-  plate.name = "plate";
-  setup.bodies = {plate};
-  ImpactorSetup cylinder;
-  cylinder.name = "cylinder";
-  cylinder.surface = CylinderSurface{.diameter = 0.03, .height = 0.03, .edge_length = 0.002};
-  cylinder.mass = 0.02;
-  cylinder.position = {0.003, 0.0361, 0};
-  cylinder.velocity = {5, -200, 0};
-  if (is_free) cylinder.free_dofs = {"x", "y", "rz"};
+  ImpactorSetup& cylinder = setup.impactors[0];
+  cylinder.angular_velocity = {};
+  if (!is_free) cylinder.free_dofs.clear();
   fixtures::make_elastic(cylinder, folder / "modes.csv");
   ImpactorSetup ball;
   ball.name = "ball";
@@ -37,7 +31,7 @@ Setup plate(const std::filesystem::path& folder, bool is_free, double friction) 
   ball.position = {0.0225, 0.0285, 0};
   ball.velocity = {-40, -120, 0};
   ball.free_dofs = {"x", "y"};
-  setup.impactors = {cylinder, ball};
+  setup.impactors.push_back(ball);
   setup.contact.impactors.friction = friction;
   return setup;
 }
