@@ -43,17 +43,6 @@ std::string load_name(const std::string& body) { return "loads/" + body; }
 
 std::string in_words(const std::string& value) { return value.empty() ? "not given" : value; }
 
-/// Steps of the output frames up to `last`.
-std::vector<long> frame_steps(int frames, long steps, long last) {
-  std::vector<long> all;
-  for (int frame = 0; frames > 0 && frame <= frames; ++frame) {
-    const long step = step_of_frame(frame, frames, steps);
-    if (step > last) break;
-    if (all.empty() || all.back() != step) all.push_back(step);
-  }
-  return all;
-}
-
 }  // namespace
 
 std::uint64_t fingerprint_at_start(Simulation& simulation) {
@@ -101,7 +90,6 @@ void write_checkpoint(const std::filesystem::path& path, Simulation& simulation,
   file.number("time.end [s]", simulation.setup().time.end);
   file.number("step size [s]", simulation.clock().dt);
   file.number("steps per row", std::int64_t{simulation.monitors().interval()});
-  file.number("frames", std::int64_t{simulation.setup().output.frames});
   file.number("fingerprint_at_start", at_start);
   file.number("state_hash", state_hash);
   file.finish();
@@ -145,15 +133,6 @@ void Checkpoint::expect_same_steps(const Simulation& simulation) {
     throw SetupError("output", fmt::format("history.csv has a row every {} steps here, but every {} in the run of the checkpoint {}; resume with --set "
                                            "output.history_interval={}.",
                                            simulation.monitors().interval(), per_row, path_.string(), static_cast<double>(per_row) * dt));
-  const int frames = static_cast<int>(file_.integer("frames"));
-  if (frame_steps(setup.output.frames, clock.steps, step_) == frame_steps(frames, steps_, step_)) return;
-  const bool fits = frames == 0 || clock.steps * frames % steps_ == 0;
-  throw SetupError("output.frames",
-                   fmt::format("frames: {} gives other output frames up to step {} than the run of the checkpoint {} has written, {} in {:.6g} s; {}.",
-                               setup.output.frames, step_, path_.string(), frames, static_cast<double>(steps_) * dt,
-                               fits ? fmt::format("resume with --set output.frames={}", frames == 0 ? 0 : clock.steps * frames / steps_)
-                                    : fmt::format("choose a time.end that is a multiple of {:.6g} s, the interval of these frames",
-                                                  static_cast<double>(steps_) / frames * dt)));
 }
 
 std::vector<MeasuredLoad> Checkpoint::loads(const Setup& setup) {

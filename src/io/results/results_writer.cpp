@@ -169,7 +169,7 @@ ResultsWriter::ResultsWriter(const Simulation& simulation, const std::filesystem
       last_frame_step_(written.last_frame_step),
       resumed_at_(written.resumed_at) {
   if (simulation.ranks().is_root()) files_.emplace(simulation, folder, lines_, written);
-  skip_frames_until(last_frame_step_, simulation.clock());
+  skip_frames_until(simulation.clock().step, simulation.clock());  // frames are those of this deck from here on
   resumed_at_.push_back(simulation.clock().step);
 }
 

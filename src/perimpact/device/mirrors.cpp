@@ -7,7 +7,7 @@
 namespace perimpact::device {
 
 void Mirrors::add(std::span<const std::byte> array) {
-  const auto [copy, is_new] = copies_.try_emplace(array.data(), array.size(), Memory(device_, array.size()));
+  const auto [copy, is_new] = copies_.try_emplace(array.data(), Copy{array.size(), Memory(device_, array.size())});
   EXPECTS(is_new);
   device_.upload(copy->second.memory.get(), array.data(), array.size());
 }

@@ -178,7 +178,7 @@ Vec3d Floating::resist(Particles& particles, double dt) {
     const double damping =
         water_.damping + (drags ? 0.5 * water_.density * water_.drag * height * height * wet * norm(velocity) / (density * particles.volume(slot)) : 0);
     Vec3d after = before;
-    for (std::size_t c = 0; c < 3; ++c)
+    for (std::size_t c = 0; c < 3 && damping != 0; ++c)
       if (moves_[k][c]) after[c] = damped(before[c], velocity[c], density, damping, dt);
     if (moves_[k][2]) after.z *= density / (density + entrained(k, height, wet));
     particles.force_density.set(slot, after);
