@@ -27,13 +27,6 @@ using output::Json;
 
 namespace {
 
-void expect_divisible(const Setup& setup, const std::vector<Discretisation>& bodies, int ranks) {
-  if (ranks == 0) return;
-  for (std::size_t b = 0; b < bodies.size(); ++b)
-    if (std::holds_alternative<Cloud>(bodies[b]))
-      throw SetupError("bodies." + setup.bodies[b].name + ".shape", "the shares of ranks in a body from a file of particles are not forecast; omit --ranks.");
-}
-
 /// A body by its lattice alone.
 struct CountedBody {
   const BodySetup& body;
@@ -50,8 +43,7 @@ struct CountedBody {
   double mass() const { return particles * lattice.cell_volume() * body.elastic().density; }
 
   std::string text() const {
-    return fmt::format("body {}\n", body.name) +
-           row("particles",
+    return row("particles",
                fmt::format("{:.0f} ({} x {} x {} cells of {:.4g} m)", particles, lattice.cells[0], lattice.cells[1], lattice.cells[2], lattice.spacing)) +
            row("bonds", fmt::format("at most {:.4g} ({} an interior particle, horizon {:.4g} m)", largest_bonds(), stencil.size(), stencil.horizon())) +
            row("mass", fmt::format("{:.5g} kg", mass()));
@@ -60,6 +52,25 @@ struct CountedBody {
     Json json = Json::object();
     json["particles"] = particles;
     json["spacing [m]"] = lattice.spacing;
+    json["mass [kg]"] = mass();
+    return json;
+  }
+};
+
+/// A body from a file of particles.
+struct CountedCloud {
+  const BodySetup& body;
+  const Cloud& cloud;
+
+  double mass() const { return body.elastic().density * std::accumulate(cloud.volumes.begin(), cloud.volumes.end(), 0.0); }
+  std::string text() const {
+    return row("particles", fmt::format("{} (points of a file, mean spacing {:.4g} m)", cloud.points.size(), spacing_of(cloud))) +
+           row("mass", fmt::format("{:.5g} kg", mass()));
+  }
+  Json json() const {
+    Json json = Json::object();
+    json["particles"] = cloud.points.size();
+    json["spacing [m]"] = spacing_of(cloud);
     json["mass [kg]"] = mass();
     return json;
   }
@@ -79,12 +90,17 @@ bool is_large(const Setup& setup, const std::vector<Discretisation>& bodies) {
 }
 
 LargeCheck::LargeCheck(const Setup& setup, const std::vector<Discretisation>& bodies, int ranks, const Network& network)
-    : setup_(setup), bodies_(bodies), ranks_(ranks), memory_((expect_divisible(setup, bodies, ranks), memory_of(setup, bodies))), json_(Json::object()) {
+    : setup_(setup), bodies_(bodies), ranks_(ranks), memory_(memory_of(setup, bodies)), json_(Json::object()) {
   json_["is_estimate"] = true;
   for (std::size_t b = 0; b < bodies.size(); ++b) {
-    const CountedBody body(setup.bodies[b], std::get<BodySolid>(bodies[b]), memory_.particles[b]);
-    text_ += body.text();
-    json_["bodies"][setup.bodies[b].name] = body.json();
+    const auto add = [&](const auto& body) {
+      text_ += fmt::format("body {}\n", setup.bodies[b].name) + body.text();
+      json_["bodies"][setup.bodies[b].name] = body.json();
+    };
+    if (const auto* cloud = std::get_if<Cloud>(&bodies[b]))
+      add(CountedCloud{setup.bodies[b], *cloud});
+    else
+      add(CountedBody(setup.bodies[b], std::get<BodySolid>(bodies[b]), memory_.particles[b]));
   }
   for (const ImpactorSetup& impactor : setup.impactors) {
     const Impactor alone(impactor, setup.contact.impactors, {});
@@ -100,7 +116,7 @@ LargeCheck::LargeCheck(const Setup& setup, const std::vector<Discretisation>& bo
     time["increments"] = relax->increments;
     time["increment [s]"] = increment;
   } else {
-    forecast = forecast_of(setup, std::accumulate(memory_.particles.begin(), memory_.particles.end(), 0.0));
+    forecast = forecast_of(setup, bodies, std::accumulate(memory_.particles.begin(), memory_.particles.end(), 0.0));
     text_ += "time\n" + row("step", fmt::format("about {:.4g} s, {:.3g} steps: of a block of the same material", forecast->step, forecast->steps)) +
              fmt::format("duration\n  about {} on {} threads, {} of them for the set-up, without impactors and output frames (from steps of the block)\n",
                          duration_in_words(forecast->set_up + forecast->running), fccda::thread_count(), duration_in_words(forecast->set_up));

@@ -6,6 +6,7 @@
 #include "cli/memory_text.hpp"
 #include "cli/progress.hpp"
 #include "cli/row.hpp"
+#include "perimpact/discretisation/cloud_of.hpp"
 #include "run/run_loop.hpp"
 
 namespace perimpact {
@@ -46,8 +47,8 @@ std::string ranks_text(const Setup& setup, const RankForecast& ranks, const Memo
     const BodyShare& largest = ranks.largest[b];
     const double mean = mean_cells(ranks, b);
     text += row(setup.bodies[b].name.c_str(),
-                fmt::format("at most {:.0f} cells on a rank, {:.3f} times the mean of {:.6g}; ghosts: at most {:.0f}; neighbours: at most {}", largest.cells,
-                            largest.cells / mean, mean, largest.ghosts, largest.neighbours));
+                fmt::format("at most {:.0f} {} on a rank, {:.3f} times the mean of {:.6g}; ghosts: at most {:.0f}; neighbours: at most {}", largest.cells,
+                            is_cloud(setup.bodies[b]) ? "particles" : "cells", largest.cells / mean, mean, largest.ghosts, largest.neighbours));
   }
   text += memory_text(of_largest_rank(ranks, memory));
   if (!step) return text;

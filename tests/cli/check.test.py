@@ -208,16 +208,25 @@ def _(t):
     t.assertIs(json.loads(t.expect_success("check", fragments, "--ranks", "2", "--json").out)["ranks"]["includes_fragments"], False)
 
 
-@claim("check: more ranks than blocks of cells, and bodies whose shares are not forecast, are refused with one sentence")
+@claim("check: more ranks than blocks of cells are refused with one sentence")
 def _(t):
     done = t.run_program("check", t.deck(), "--ranks", "1000")
     sentence = "1000 ranks are too many: the bodies can be divided among at most 144, since lattices are cut across x at multiples of eight cells only, and point clouds between blocks of eight particles. Use fewer."
     t.assertEqual((done.code, done.err), (2, f"error: deck.yaml:3:1: {sentence}\n"))
-    (t.folder / "points.csv").write_text("x [m],y [m],z [m],volume [m3]\n" + "".join(f"{0.005 * k},0,0,1.25e-7\n" for k in range(20)))
+
+
+@claim("check: --ranks states the shares and messages of a body from a file of points, and the duration of a step")
+def _(t):
+    (t.folder / "points.csv").write_text("x [m],y [m],z [m],volume [m3]\n" +
+                                         "".join(f"{0.005 * k},{0.005 * j},{0.005 * i},1.25e-7\n" for k in range(16) for j in range(4) for i in range(4)))
     cloud = t.deck(("shape: {box: {size: [100 mm, 60 mm, 20 mm]}}\n    spacing: 5 mm", "shape: {points: {file: points.csv}}"))
-    done = t.run_program("check", cloud, "--ranks", "2")
-    t.assertEqual(done.code, 2)
-    t.assertRegex(done.err, r"^error: deck.yaml:5:\d+: the shares of ranks in a body from a file of particles are not forecast; omit --ranks\.\n$")
+    ranks = json.loads(t.expect_success("check", cloud, "--ranks", "2", "--json").out)["ranks"]
+    body = ranks["bodies"]["plate"]
+    t.assertEqual((ranks["count"], body["mean_cells"], body["largest_cells"], body["largest_neighbours"]), (2, 128, 128, 1))
+    t.assertEqual(ranks["messages"], 1)  # positions and velocities
+    t.assertEqual(ranks["sent [byte]"], body["largest_ghosts"] * 48)  # each sends as much as it receives: the cloud is symmetric
+    t.assertGreater(ranks["step [s]"], ranks["computing [s]"])
+    t.assertIn("particles         256 (points of a file, mean spacing 0.005 m)", t.expect_success("check", cloud, "--ranks", "2").out)
 
 
 @claim("check: of a hundred million particles on ten thousand ranks the shares are stated within 10 s, without building the body")

@@ -10,7 +10,6 @@
 #include "perimpact/body/bending.hpp"
 #include "perimpact/deck_model/setup_error.hpp"
 #include "perimpact/discretisation/particle_set.hpp"
-#include "perimpact/family/cloud_part_of.hpp"
 #include "perimpact/materials/ordinary_state/stencil_sums.hpp"
 #include "perimpact/particles/sum_over_eights.hpp"
 
@@ -34,7 +33,7 @@ Share share_of(const BodySetup& setup, const BodySolid& solid, Ranks& ranks, int
 Particles particles_of(const BodySetup& setup, const Cloud& cloud, Ranks& ranks, int first_rank, const MeasuredLoad& load) {
   const double density = setup.elastic().density;
   if (ranks.size() == 1) return Particles(cloud, density);
-  return Particles(cloud, density, Share(ranks, part_of(setup, cloud, ranks, first_rank, load)));
+  return Particles(cloud, density, Share(ranks, parts_of(setup, cloud, ranks.size(), first_rank, load).of(ranks.rank())));
 }
 
 /// One particle in each cell of the lattice whose centre is inside the solid.
@@ -124,9 +123,9 @@ PartitionRule partition_rule_of(const BodySetup& setup, const Lattice& whole, co
   return {whole.cells, stencil_of(setup, whole).reach(), floats, load};
 }
 
-CloudPart part_of(const BodySetup& setup, const Cloud& cloud, const Ranks& ranks, int first_rank, const MeasuredLoad& load) {
-  const CloudPartition partition((cloud.points.size() + fccda::byte_lanes - 1) / fccda::byte_lanes, ranks.size(), first_rank, load);
-  return cloud_part_of(cloud, largest_reach(setup.family.as<FamilyRule>(), setup.horizon_ratio, cloud), partition, ranks.rank());
+CloudParts parts_of(const BodySetup& setup, const Cloud& cloud, int ranks, int first_rank, const MeasuredLoad& load) {
+  const std::size_t eights = (cloud.points.size() + fccda::byte_lanes - 1) / fccda::byte_lanes;
+  return {cloud, largest_reach(setup.family.as<FamilyRule>(), setup.horizon_ratio, cloud), CloudPartition(eights, ranks, first_rank, load)};
 }
 
 IsotropicElastic elastic_of(const BodySetup& setup) {

@@ -11,6 +11,7 @@
 #include "perimpact/deck_model/setup.hpp"
 #include "perimpact/deck_model/setup_error.hpp"
 #include "perimpact/discretisation/discretise.hpp"
+#include "perimpact/family/cloud_parts.hpp"
 #include "perimpact/family/family.hpp"
 #include "perimpact/materials/internal_force.hpp"
 #include "perimpact/particles/particles.hpp"
@@ -63,8 +64,8 @@ Particles make_particles(const BodySetup& setup, Share share);
 /// How ranks divide its lattice: not across z where it floats, since the water under it acts on columns.
 PartitionRule partition_rule_of(const BodySetup& setup, const Lattice& whole, const MeasuredLoad& load = {});
 
-/// The part of this rank in a point cloud. `first_rank`: see Share.
-CloudPart part_of(const BodySetup& setup, const Cloud& cloud, const Ranks& ranks, int first_rank, const MeasuredLoad& load = {});
+/// How ranks divide its point cloud. `first_rank`: see Share.
+CloudParts parts_of(const BodySetup& setup, const Cloud& cloud, int ranks, int first_rank, const MeasuredLoad& load = {});
 
 /// Elastic constants of its material, 3-D or 2-D.
 IsotropicElastic elastic_of(const BodySetup& setup);

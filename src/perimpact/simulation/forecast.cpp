@@ -14,17 +14,20 @@ namespace perimpact {
 namespace {
 
 /// Blocks far from each other, without impactors and output.
-Setup blocks_of(const Setup& setup) {
-  constexpr int cells = 64, cells_of_plane = 512;  // larger than the caches
+Setup blocks_of(const Setup& setup, std::span<const Discretisation> bodies) {
+  constexpr int cells = 64, cells_of_plane = 512, points = 40, points_of_plane = 256;  // larger than the caches; points have lists of bonds
   Setup blocks = setup;
   blocks.impactors = {};
   blocks.output.probes = {};
   blocks.output.lines = {};
   blocks.output.frames = 0;
   double place = 0;
-  for (BodySetup& body : blocks.bodies) {
-    body = sample_block(body, body.is_plane() ? cells_of_plane : cells);
-    const double size = std::get<BoxSolid>(body.shape).size.x;
+  for (std::size_t b = 0; b < bodies.size(); ++b) {
+    BodySetup& body = blocks.bodies[b];
+    const auto* cloud = std::get_if<Cloud>(&bodies[b]);
+    const int along_axis = cloud ? (body.is_plane() ? points_of_plane : points) : body.is_plane() ? cells_of_plane : cells;
+    const double size = along_axis * (cloud ? spacing_of(*cloud) : body.spacing.value());
+    body = sample_block(body, bodies[b], along_axis);
     body.position.x = place + size;
     place += 3 * size;
   }
@@ -42,8 +45,8 @@ double growth(std::string_view stage, std::span<const BodySetup> bodies, double 
 
 }  // namespace
 
-Forecast forecast_of(const Setup& setup, double particles) {
-  Simulation blocks(blocks_of(setup));
+Forecast forecast_of(const Setup& setup, std::span<const Discretisation> bodies, double particles) {
+  Simulation blocks(blocks_of(setup, bodies));
   double modelled = 0;
   for (const Body& body : blocks.bodies()) modelled += static_cast<double>(body.particles.size());
   Forecast forecast{.step = blocks.clock().dt, .steps = static_cast<double>(blocks.clock().steps), .set_up = 0, .running = 0};

@@ -1,7 +1,10 @@
 /// Step and duration of a run whose bodies are too large to be built for the question: both are those of blocks of the same materials.
 #pragma once
 
+#include <span>
+
 #include "perimpact/deck_model/setup.hpp"
+#include "perimpact/discretisation/discretise.hpp"
 
 namespace perimpact {
 
@@ -12,8 +15,8 @@ struct Forecast {
   double running;  ///< [s] wall-clock time of all steps, by particles; without impactors
 };
 
-/// Builds a block of each body (sample_block.hpp), apart from each other, and performs a few steps. All bodies must be on lattices, and the run dynamic.
-/// `particles`: of all bodies. Throws SetupError as Simulation.
-Forecast forecast_of(const Setup& setup, double particles);
+/// Builds a block of each body (sample_block.hpp), apart from each other, and performs a few steps of the dynamic run. `bodies`: discretisation of each;
+/// `particles`: of all. Throws SetupError as Simulation.
+Forecast forecast_of(const Setup& setup, std::span<const Discretisation> bodies, double particles);
 
 }  // namespace perimpact

@@ -119,10 +119,10 @@ double rubble_of(const BodySetup& setup, const FragmentContactSetup& fragments) 
 
 /// [bytes] while the stiffest mode of the body is sought, which is done for a given time step that may be unstable (integrate/stiffest_mode.hpp): a copy of
 /// the body, densities, and four fields of displacements. The stable step is that of a block of the same material.
-double stiffest_mode_of(const Setup& setup, const BodySetup& body, const ArrayLengths& length, double copy) {
+double stiffest_mode_of(const Setup& setup, const BodySetup& body, const Discretisation& discretisation, const ArrayLengths& length, double copy) {
   if (!setup.time.step || setup.time.relax) return 0;
   constexpr int cells = 12;
-  if (!body.spacing || *setup.time.step <= 0.9 * safe_stable_step(make_body(sample_block(body, cells)))) return 0;
+  if (!body.spacing || *setup.time.step <= 0.9 * safe_stable_step(make_body(sample_block(body, discretisation, cells)))) return 0;
   return copy + number * length.slots + 4 * vector * length.particles;
 }
 
@@ -145,7 +145,7 @@ BodyMemory memory_of(const Setup& setup, const BodySetup& body, const Discretisa
   if (body.failure && (body.failure->weibull_modulus || !body.failure->no_fail.empty())) memory.making += number * n;  // strength of each slot
   memory.impactors = static_cast<double>(setup.impactors.size()) * (number + sizeof(int)) * n;                         // due distance, guess
   if (const auto* points = std::get_if<PointsShape>(&body.shape)) memory.deck = 2 * (vector + number) * static_cast<double>(points->points.size());
-  memory.step = std::max(4 * number * n + n / 2, stiffest_mode_of(setup, body, length, memory.particles + memory.bonds));
+  memory.step = std::max(4 * number * n + n / 2, stiffest_mode_of(setup, body, discretisation, length, memory.particles + memory.bonds));
 
   // one array of vectors in single precision, and all arrays compressed: at most 19 bytes a particle (docs/guide/cluster.md)
   const bool may_break = body.elastic().may_fail();
@@ -206,7 +206,7 @@ double share_of_memory(const Setup& setup, std::span<const Discretisation> bodie
   for (std::size_t b = 0; b < bodies.size(); ++b) {
     const MeasuredLoad load = load_of_body(loads, b);
     if (const auto* cloud = std::get_if<Cloud>(&bodies[b])) {
-      const CloudPart part = part_of(setup.bodies[b], *cloud, ranks, in_turn.first_rank(), load);
+      const CloudPart part = parts_of(setup.bodies[b], *cloud, ranks.size(), in_turn.first_rank(), load).of(ranks.rank());
       in_turn.add(part.partition.parts());
       largest = std::max(largest, static_cast<double>(part.eights.size()) / static_cast<double>(part.partition.eights()));
       continue;

@@ -2,21 +2,12 @@
 #pragma once
 
 #include "perimpact/deck_model/setup.hpp"
+#include "perimpact/discretisation/discretise.hpp"
 
 namespace perimpact {
 
-/// The body as a box of so many cells along each axis, without holes, cracks, boundary conditions and named sets. It must be on a lattice.
-inline BodySetup sample_block(const BodySetup& body, int cells) {
-  BodySetup block = body;
-  const double size = cells * body.spacing.value();
-  block.shape = BoxSolid{.size = {size, size, size}};
-  block.position = block.rotate = {};
-  block.add = block.holes = block.particle_sets = {};
-  block.cracks = {};
-  block.boundary_conditions = {};
-  block.bending_calibration.index = 0;
-  if (block.failure) block.failure->no_fail = {};
-  return block;
-}
+/// The body as a box of so many particles along each axis, or two of a plane body, without holes, cracks, boundary conditions and named sets: on its lattice,
+/// or as a cloud of equal particles at the mean spacing of its points. `discretisation`: of the body.
+BodySetup sample_block(const BodySetup& body, const Discretisation& discretisation, int particles);
 
 }  // namespace perimpact

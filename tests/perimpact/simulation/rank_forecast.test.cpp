@@ -2,6 +2,7 @@
 
 #include <doctest/doctest.h>
 
+#include <cmath>
 #include <map>
 #include <mutex>
 #include <sstream>
@@ -12,6 +13,7 @@
 #include "perimpact/bodies.hpp"
 #include "perimpact/elastic_modes.hpp"
 #include "perimpact/particles/share.hpp"
+#include "perimpact/rank_scenes.hpp"
 #include "perimpact/ranks/counting_ranks.hpp"
 #include "perimpact/ranks/in_process.hpp"
 #include "perimpact/simulation/memory.hpp"
@@ -140,7 +142,7 @@ void check_steps(const Setup& setup) {
 
 std::vector<BodyShare> shares_of(const BodySetup& body, int ranks) {
   RanksInTurn in_turn(ranks);
-  return shares_of_ranks(body, BodySolid(body), in_turn);
+  return shares_of_ranks(body, discretise(body), in_turn);
 }
 
 }  // namespace
@@ -149,6 +151,13 @@ TEST_CASE("rank forecast: messages, bytes and reductions of a step are exactly t
   for (const auto& [name, body] : materials()) {
     CAPTURE(name);
     check_steps(at_rest(body));
+  }
+}
+
+TEST_CASE("rank forecast: messages, bytes and reductions of a step are exactly those that every rank sends, for point clouds of every material") {
+  for (const auto& [name, body] : materials()) {
+    CAPTURE(name);
+    check_steps(fixtures::scattered(at_rest(body)));
   }
 }
 
@@ -209,7 +218,7 @@ TEST_CASE("rank forecast: while material yields, plastic strain and its flow are
   for (std::size_t rank = 0; rank < sent.size(); ++rank) {
     const std::int64_t refreshed = (sent[rank].messages - 30 * forecast.sent[rank].messages) / static_cast<std::int64_t>(shares[rank].neighbours);
     CHECK(refreshed > 10);
-    CHECK(sent[rank].bytes - 30 * forecast.sent[rank].bytes == refreshed * 15 * 8 * static_cast<std::int64_t>(shares[rank].sent_cells));
+    CHECK(sent[rank].bytes - 30 * forecast.sent[rank].bytes == refreshed * 15 * 8 * static_cast<std::int64_t>(shares[rank].sent_slots));
   }
 }
 
@@ -227,9 +236,33 @@ TEST_CASE("rank forecast: shares, ghosts and neighbours are those of the ranks o
       const std::lock_guard guard(mutex);
       CHECK(forecast.neighbours == share.peers());
       CHECK(forecast.ghosts == static_cast<double>(share.ghosts()));
-      CHECK(forecast.sent_cells == static_cast<double>(share.sent_slots()));
+      CHECK(forecast.sent_slots == static_cast<double>(share.sent_slots()));
       if (ranks > 1) CHECK(forecast.cells == static_cast<double>(share.owned_cells().cells()));
       if (ranks > 1) CHECK(forecast.slots == fixtures::relative(static_cast<double>(share.lattice().slots()) / static_cast<double>(whole.slots()), 1e-12));
+    });
+  }
+}
+
+TEST_CASE("rank forecast: shares, ghosts and neighbours in a point cloud are those of the ranks of a run") {
+  const Setup setup = fixtures::scattered(at_rest(plate({})));
+  const BodySetup& body = setup.bodies[0];
+  const Discretisation discretisation = discretise(body);
+  const Cloud& cloud = std::get<Cloud>(discretisation);
+  for (const int ranks : {2, 7, 8}) {
+    CAPTURE(ranks);
+    const std::vector<BodyShare> shares = shares_of(body, ranks);
+    std::mutex mutex;
+    run_in_process(ranks, [&](Ranks& its) {
+      const Particles particles = make_particles(body, discretisation, its);
+      const Share& share = particles.share();
+      const BodyShare& forecast = shares[static_cast<std::size_t>(its.rank())];
+      const std::lock_guard guard(mutex);
+      CHECK(forecast.cells == static_cast<double>(particles.size()));
+      CHECK(forecast.neighbours == share.peers());
+      CHECK(forecast.ghosts == static_cast<double>(share.ghosts()));
+      CHECK(forecast.sent_slots == static_cast<double>(share.sent_slots()));
+      CHECK(forecast.slots ==
+            fixtures::relative(static_cast<double>(particles.slots()) / (8 * std::ceil(static_cast<double>(cloud.points.size()) / 8)), 1e-12));
     });
   }
 }
@@ -256,7 +289,7 @@ TEST_CASE("rank forecast: the duration of a step is that of the slowest rank by 
   const RankForecast forecast = rank_forecast_of(setup, discretised(setup), 4, 10, network);
   double slowest = 0;
   for (const BodyShare& share : shares_of(setup.bodies[0], 4))  // 48 bytes and 8 bytes of each cell
-    slowest = std::max(slowest, 10 * share.cells / forecast.cells[0] + 2 * static_cast<double>(share.neighbours) * 1e-3 + 56 * share.sent_cells / 1e6);
+    slowest = std::max(slowest, 10 * share.cells / forecast.cells[0] + 2 * static_cast<double>(share.neighbours) * 1e-3 + 56 * share.sent_slots / 1e6);
   CHECK(forecast.step() == fixtures::relative(slowest, 1e-12));
   Setup held = setup;
   held.bodies[0].boundary_conditions = {{"grip", BodyForceSetup{.force_density = {0, 0, 1}}}};  // a reduction of three exact sums, in two rounds
@@ -273,8 +306,8 @@ TEST_CASE("rank forecast: small bodies are divided among the ranks in turn, and 
   }
   setup.bodies[1].position = {0, 0.1, 0};
   RanksInTurn in_turn(5);
-  const std::vector<BodyShare> one = shares_of_ranks(setup.bodies[0], BodySolid(setup.bodies[0]), in_turn),
-                               two = shares_of_ranks(setup.bodies[1], BodySolid(setup.bodies[1]), in_turn);
+  const std::vector<BodyShare> one = shares_of_ranks(setup.bodies[0], discretise(setup.bodies[0]), in_turn),
+                               two = shares_of_ranks(setup.bodies[1], discretise(setup.bodies[1]), in_turn);
   for (std::size_t rank = 0; rank < 5; ++rank) {
     CHECK(one[rank].cells == (rank < 3 ? 8 : 0));
     CHECK(two[rank].cells == (rank >= 3 || rank == 0 ? 8 : 0));

@@ -1,12 +1,12 @@
-#include "perimpact/family/cloud_part_of.hpp"
+#include "perimpact/family/cloud_parts.hpp"
 
 #include <algorithm>
 #include <map>
 #include <set>
+#include <utility>
 #include <vector>
 
 #include "base/parallel.hpp"
-#include "perimpact/family/slot_tree.hpp"
 
 namespace perimpact {
 
@@ -18,22 +18,24 @@ double largest_reach(FamilyRule rule, double horizon_ratio, const Cloud& cloud) 
   return (horizon + (rule == FamilyRule::hu_ha_bobaru ? 0.5 * largest : 0)) * (1 + rounding);
 }
 
-CloudPart cloud_part_of(const Cloud& cloud, double reach, const CloudPartition& partition, int rank) {
-  CloudPart part{.partition = partition, .eights = {}, .reads_ghosts = {}, .exchanged = {}};
-  const int own = partition.part_of(rank);
-  if (own == partition.parts()) {  // without a part: one eight, since no array is empty
+CloudParts::CloudParts(const Cloud& cloud, double reach, CloudPartition partition)
+    : cloud_(cloud), reach_(reach), partition_(std::move(partition)), tree_(cloud.points) {}
+
+CloudPart CloudParts::of(int rank) const {
+  CloudPart part{.partition = partition_, .eights = {}, .reads_ghosts = {}, .exchanged = {}};
+  const int own = partition_.part_of(rank);
+  if (own == partition_.parts()) {  // without a part: one eight, since no array is empty
     part.eights = {0};
     part.reads_ghosts = {0};
     return part;
   }
-  const std::size_t first = partition.begin(own), end = partition.end(own);
-  const SlotTree tree(cloud.points);
+  const std::size_t first = partition_.begin(own), end = partition_.end(own);
   std::vector<std::vector<std::uint32_t>> near(end - first);  // eights of other ranks, of each owned eight
   fccda::parallel_for_uneven(static_cast<std::ptrdiff_t>(near.size()), [&](std::ptrdiff_t number) {
     std::vector<std::uint32_t>& eights = near[static_cast<std::size_t>(number)];
     const std::size_t begin = (first + static_cast<std::size_t>(number)) * byte_lanes;
-    for (std::size_t slot = begin; slot < std::min(begin + byte_lanes, cloud.points.size()); ++slot)
-      tree.visit_near(cloud.points[slot], reach, [&](std::size_t eight, const auto&, unsigned) {
+    for (std::size_t slot = begin; slot < std::min(begin + byte_lanes, cloud_.points.size()); ++slot)
+      tree_.visit_near(cloud_.points[slot], reach_, [&](std::size_t eight, const auto&, unsigned) {
         if (eight < first || eight >= end) eights.push_back(static_cast<std::uint32_t>(eight));
       });
     std::ranges::sort(eights);
@@ -53,10 +55,10 @@ CloudPart cloud_part_of(const Cloud& cloud, double reach, const CloudPartition& 
   std::map<int, std::set<std::uint32_t>> sent, received;
   for (std::size_t k = 0; k < near.size(); ++k) {
     part.reads_ghosts[first_owned + k] = near[k].empty() ? 0 : 1;
-    for (const std::uint32_t ghost : near[k]) sent[partition.owner_of(ghost)].insert(static_cast<std::uint32_t>(first_owned + k));
+    for (const std::uint32_t ghost : near[k]) sent[partition_.owner_of(ghost)].insert(static_cast<std::uint32_t>(first_owned + k));
   }
   for (std::size_t place = 0; place < part.eights.size(); ++place)
-    if (place < first_owned || place >= first_owned + near.size()) received[partition.owner_of(part.eights[place])].insert(static_cast<std::uint32_t>(place));
+    if (place < first_owned || place >= first_owned + near.size()) received[partition_.owner_of(part.eights[place])].insert(static_cast<std::uint32_t>(place));
   for (const auto& [other, places] : received)
     part.exchanged.push_back({other, {sent.at(other).begin(), sent.at(other).end()}, {places.begin(), places.end()}});
   return part;

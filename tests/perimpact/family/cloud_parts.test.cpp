@@ -1,4 +1,4 @@
-#include "perimpact/family/cloud_part_of.hpp"
+#include "perimpact/family/cloud_parts.hpp"
 
 #include <doctest/doctest.h>
 
@@ -38,7 +38,7 @@ TEST_CASE("cloud part: every rank has the points within reach of its own, and af
     std::mutex mutex;
     run_in_process(count, [&](Ranks& ranks) {
       const CloudPartition partition((cloud.points.size() + 7) / 8, count, 1);
-      const Share share(ranks, cloud_part_of(cloud, reach, partition, ranks.rank()));
+      const Share share(ranks, CloudParts(cloud, reach, partition).of(ranks.rank()));
       const Particles particles(cloud, 1, share);
       std::vector<double> values(particles.slots(), -1);
       for (const std::uint32_t slot : particles.slot_of()) values[slot] = 7.0 * static_cast<double>(share.whole_slot(slot));
@@ -88,7 +88,7 @@ TEST_CASE("cloud part: numbers of eights are gathered in the order of the whole 
     CAPTURE(count);
     std::mutex mutex;
     run_in_process(count, [&](Ranks& ranks) {
-      const Share share(ranks, cloud_part_of(cloud, 0.2, CloudPartition(eights, count, 3 % count), ranks.rank()));
+      const Share share(ranks, CloudParts(cloud, 0.2, CloudPartition(eights, count, 3 % count)).of(ranks.rank()));
       std::vector<std::size_t> begin{0};
       std::vector<int> own;
       for (std::size_t eight = 0; eight < share.eights().size(); ++eight) {
