@@ -34,7 +34,7 @@ def _(t):
     t.assertTrue(all(os.access(path, os.X_OK) == os.access(source_of(path, prefix), os.X_OK) for path in scripts))
 
 
-@claim("install: the Debian packages contain program, completion and manual, and the Python package, which is imported and runs from there")
+@claim("install: of the Debian packages the program and the Python package run where they are unpacked, and two processes once perimpact-mpi is beside them")
 def _(t):
     build = Path(t.program).parent
     for tool in "cpack", "dpkg-deb", "dpkg-shlibdeps", "file":
@@ -42,13 +42,15 @@ def _(t):
             raise unittest.SkipTest(f"{tool} is not installed")
     if not (build / "python/perimpact").is_dir():
         raise unittest.SkipTest("the Python package is not built (PERIMPACT_PYTHON)")
-    subprocess.run(["cpack", "--config", build / "CPackConfig.cmake", "-G", "DEB", "-B", t.folder / "made", "-D", "CPACK_COMPONENTS_ALL=perimpact;python"],
-                   check=True, stdout=subprocess.DEVNULL, cwd=t.folder)
+    if not (build / "libperimpact_ranks.so").exists():
+        raise unittest.SkipTest("the program was built without MPI")
+    subprocess.run(["cpack", "--config", build / "CPackConfig.cmake", "-G", "DEB", "-B", t.folder / "made", "-D", "CPACK_COMPONENTS_ALL=perimpact;python;mpi",
+                    "-D", "CPACK_DEBIAN_COMPRESSION_TYPE=gzip"], check=True, stdout=subprocess.DEVNULL, cwd=t.folder)
     root = t.folder / "root"
     packages = {path.name.partition("_")[0]: path for path in (t.folder / "made").glob("*.deb")}
-    t.assertEqual(set(packages), {"perimpact", "python3-perimpact"})
-    for package in packages.values():
-        subprocess.run(["dpkg-deb", "-x", package, root], check=True)
+    t.assertEqual(set(packages), {"perimpact", "python3-perimpact", "perimpact-mpi"})
+    for package in "perimpact", "python3-perimpact":
+        subprocess.run(["dpkg-deb", "-x", packages[package], root], check=True)
 
     def field(package, name):
         return subprocess.run(["dpkg-deb", "-f", packages[package], name], capture_output=True, text=True, check=True).stdout.strip()
@@ -76,6 +78,21 @@ def _(t):
     t.assertEqual((done.stdout, done.stderr), (f"{modules[0] / '__init__.py'} True\n", ""))
     examples = next(root.rglob("doc/python3-perimpact/examples"))
     t.assertEqual({path.name for path in examples.iterdir()}, {"dolfinx_modes.py", "grains.py", "impact.py", "lammps_grains.py", "lammps_net.py", "pysph_boat.py", "user_force.py"})
+
+    depends = [each.split()[0] for each in field("perimpact-mpi", "Depends").split(", ")]
+    t.assertLessEqual({"perimpact", "openmpi-bin"}, set(depends))
+    t.assertTrue(any(each.startswith("libopenmpi") for each in depends), depends)
+    t.assertFalse([each for each in field("perimpact", "Depends").split(", ") if "mpi" in each.replace("perimpact", "")])
+    deck = t.deck(("time: {end: 20 us}", "time: {end: 3 us}"))
+    as_root = {"OMPI_ALLOW_RUN_AS_ROOT": "1", "OMPI_ALLOW_RUN_AS_ROOT_CONFIRM": "1", "OMPI_MCA_mpi_yield_when_idle": "1"}
+    two = ["mpirun", "--oversubscribe", "-n", "2", root / "usr/bin/perimpact", "run", deck, "--out", "two", "--threads", "1", "--no-report"]
+    done = subprocess.run(two, cwd=t.folder, env=os.environ | as_root, capture_output=True, text=True)
+    t.assertEqual(done.returncode, 2, done)
+    t.assertIn("error: a run of 2 processes needs libperimpact_ranks.so, which is not installed; install the package perimpact-mpi", done.stderr)
+    subprocess.run(["dpkg-deb", "-x", packages["perimpact-mpi"], root], check=True)
+    done = subprocess.run(two, cwd=t.folder, env=os.environ | as_root, capture_output=True, text=True)
+    t.assertEqual(done.returncode, 0, done)
+    t.assertEqual(t.report("two")["ranks"], 2)
 
 
 def source_of(path, prefix):
