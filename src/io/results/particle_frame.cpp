@@ -40,7 +40,7 @@ std::vector<Number> ParticleFrame::gathered(const Value& value) const {
   if (particles_) {
     std::vector<Number> own(components * size());
     for (std::size_t index = 0; index < size(); ++index) put(value(number(index)), own.data() + components * index);
-    return particles.share().gather_listed(std::span<const Number>(own), slots(), components);
+    return particles.share().gather_listed(std::span<const Number>(own), slots());
   }
   std::vector<Number> of_slots(components * particles.slots());
   for (std::size_t particle = 0; particle < size(); ++particle) put(value(particle), of_slots.data() + components * particles.slot_of()[particle]);

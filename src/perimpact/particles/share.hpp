@@ -118,19 +118,18 @@ class Share {
   /// Numbers of the eights of the whole body, from those of the owned eights of each rank; on the root, elsewhere empty. Collective.
   template <class T>
   std::vector<T> gather(std::span<const T> own, const NumbersOfEights& numbers) const;
-  /// Sets the numbers of this rank from those of the whole body. Ghosts have values by slot, but neither bonds nor sums of their own: only for numbers of 8
-  /// of each eight that are not integers they are set too, else to 0. Collective.
+  /// Sets the numbers of this rank from those of the whole body, which the root has. Ghosts have values by slot, but neither bonds nor sums of their own: only
+  /// for numbers of 8 of each eight that are not integers they are set too, else to 0. Collective.
   template <class T>
-  void take(std::span<const T> whole, std::span<T> own, const NumbersOfEights& numbers) const;
+  void take(std::span<const T> on_root, std::span<T> own, const NumbersOfEights& numbers) const;
   /// How many numbers the eights of the whole body have. Collective.
   std::size_t count_of_whole(const NumbersOfEights& numbers) const;
-  /// Numbers of listed particles, `per_slot` of each, in the order of their slots in the whole body; on the root, elsewhere empty. `slots`: owned.
-  /// Collective.
+  /// Numbers of listed particles, as many of each, in the order of their slots in the whole body; on the root, elsewhere empty. `slots`: owned. Collective.
   template <class T>
-  std::vector<T> gather_listed(std::span<const T> own, std::span<const std::uint32_t> slots, std::size_t per_slot) const;
-  /// Sets the numbers of the listed particles of this rank from those of all. Collective.
+  std::vector<T> gather_listed(std::span<const T> own, std::span<const std::uint32_t> slots) const;
+  /// Sets the numbers of the listed particles of this rank from those of all, which the root has. Collective.
   template <class T>
-  void take_listed(std::span<const T> all, std::span<T> own, std::span<const std::uint32_t> slots) const;
+  void take_listed(std::span<const T> on_root, std::span<T> own, std::span<const std::uint32_t> slots) const;
   /// Sets the numbers of the owned eights to those, `from`, of the eights `by` cells further on, which other ranks may own; they stay as they are where these
   /// are outside the body. `lattice`: of this rank; `by` is a multiple of eight along x. Collective.
   template <class T>
@@ -186,6 +185,7 @@ class Share {
   std::vector<std::uint64_t> whole_slots(std::span<const std::uint32_t> slots) const;
   /// The places of the numbers in ascending order.
   static std::vector<std::size_t> order_of(std::span<const std::uint64_t> numbers);
+  static std::size_t per_listed(std::size_t numbers, std::size_t particles) { return particles == 0 ? 0 : numbers / particles; }
   /// How many the ranks before this one have, if each calls with its count. Collective.
   std::size_t first_of_own(std::size_t count) const;
   std::size_t count_of_owned(const NumbersOfEights& numbers) const;
@@ -261,25 +261,35 @@ std::vector<T> Share::gather(std::span<const T> own, const NumbersOfEights& numb
 }
 
 template <class T>
-void Share::take(std::span<const T> whole, std::span<T> own, const NumbersOfEights& numbers) const {
+void Share::take(std::span<const T> on_root, std::span<T> own, const NumbersOfEights& numbers) const {
   if (!plan_) {
-    std::copy(whole.begin(), whole.end(), own.begin());
+    std::copy(on_root.begin(), on_root.end(), own.begin());
     return;
   }
   const bool with_ghosts = std::is_floating_point_v<T> && numbers.begin.empty() && numbers.each == fccda::byte_lanes;
   if (!with_ghosts) std::fill(own.begin(), own.end(), T{});
-  const auto copy = [&](std::size_t first, std::size_t first_of_whole, std::size_t count) {
-    std::copy_n(whole.data() + first_of_whole, count, own.data() + first);
+  std::vector<SlotRun> runs;
+  std::vector<std::uint64_t> runs_of_whole;  // first and count
+  const auto add = [&](std::size_t first, std::size_t first_of_whole, std::size_t count) {
+    runs.push_back({first, count});
+    runs_of_whole.push_back(first_of_whole), runs_of_whole.push_back(count);
   };
-  if (!with_ghosts) return for_each_owned_run(numbers, copy);
-  if (!is_of_lattice()) {
-    for (std::size_t eight = 0; eight < eights().size(); ++eight) copy(numbers.first(eight), numbers.first(eights()[eight]), numbers.each);
-    return;
+  if (!with_ghosts) {
+    for_each_owned_run(numbers, add);
+  } else if (is_of_lattice()) {
+    const Lattice& own_lattice = lattice_part().lattice;
+    for_each_row_of_eights(own_lattice, {{0, 0, 0}, own_lattice.cells}, numbers.each, [&](std::size_t first, std::size_t count) {
+      add(first, numbers.first(whole_slot(first / numbers.each * fccda::byte_lanes) / fccda::byte_lanes), count);
+    });
+  } else {
+    for (std::size_t eight = 0; eight < eights().size(); ++eight) add(numbers.first(eight), numbers.first(eights()[eight]), numbers.each);
   }
-  const Lattice& own_lattice = lattice_part().lattice;
-  for_each_row_of_eights(own_lattice, {{0, 0, 0}, own_lattice.cells}, numbers.each, [&](std::size_t first, std::size_t count) {
-    copy(first, numbers.first(whole_slot(first / numbers.each * fccda::byte_lanes) / fccda::byte_lanes), count);
-  });
+  const std::vector<T> values = ranks_->distribute(on_root, std::span<const std::uint64_t>(runs_of_whole));
+  auto from = values.begin();
+  for (const SlotRun& run : runs) {
+    std::copy_n(from, run.count, own.data() + run.first);
+    from += static_cast<std::ptrdiff_t>(run.count);
+  }
 }
 
 template <class T>
@@ -312,11 +322,12 @@ void Share::shift(const Lattice& lattice, std::span<const T> from, std::span<T> 
 }
 
 template <class T>
-std::vector<T> Share::gather_listed(std::span<const T> own, std::span<const std::uint32_t> slots, std::size_t per_slot) const {
+std::vector<T> Share::gather_listed(std::span<const T> own, std::span<const std::uint32_t> slots) const {
   if (!plan_) return {own.begin(), own.end()};
   const std::vector<T> joined = ranks_->join(own);
   const std::vector<std::uint64_t> of_whole = whole_slots(slots);
   const std::vector<std::size_t> order = order_of(ranks_->join(std::span<const std::uint64_t>(of_whole)));
+  const std::size_t per_slot = per_listed(joined.size(), order.size());  // this rank may have none
   std::vector<T> sorted;
   sorted.reserve(joined.size());
   for (const std::size_t at : order)
@@ -325,17 +336,18 @@ std::vector<T> Share::gather_listed(std::span<const T> own, std::span<const std:
 }
 
 template <class T>
-void Share::take_listed(std::span<const T> all, std::span<T> own, std::span<const std::uint32_t> slots) const {
+void Share::take_listed(std::span<const T> on_root, std::span<T> own, std::span<const std::uint32_t> slots) const {
   if (!plan_) {
-    std::copy(all.begin(), all.end(), own.begin());
+    std::copy(on_root.begin(), on_root.end(), own.begin());
     return;
   }
   const std::vector<std::uint64_t> of_whole = whole_slots(slots);
-  const std::vector<std::size_t> order = order_of(ranks_->join_all(std::span<const std::uint64_t>(of_whole)));
-  const std::size_t per_slot = order.empty() ? 0 : all.size() / order.size(), before = first_of_own(slots.size());
-  for (std::size_t place = 0; place < order.size(); ++place)
-    if (order[place] >= before && order[place] < before + slots.size())
-      std::copy_n(all.data() + place * per_slot, per_slot, own.data() + (order[place] - before) * per_slot);
+  const std::vector<std::size_t> order = order_of(ranks_->join(std::span<const std::uint64_t>(of_whole)));
+  std::vector<T> by_rank(on_root.size());
+  const std::size_t per_slot = per_listed(on_root.size(), order.size());
+  for (std::size_t place = 0; place < order.size(); ++place) std::copy_n(on_root.data() + place * per_slot, per_slot, by_rank.data() + order[place] * per_slot);
+  const std::uint64_t run[] = {first_of_own(slots.size()) * per_listed(own.size(), slots.size()), own.size()};
+  std::ranges::copy(ranks_->distribute(std::span<const T>(by_rank), std::span<const std::uint64_t>(run)), own.begin());
 }
 
 template <class T>

@@ -80,6 +80,32 @@ class Ranks {
     return joined<T>(gather(std::as_bytes(values)));
   }
 
+  /// Runs of values that the root has, of each rank its own. `runs`: first and count of each, alternately. Collective.
+  template <class T>
+  std::vector<T> distribute(std::span<const T> on_root, std::span<const std::uint64_t> runs) {
+    std::size_t count = 0;
+    for (std::size_t k = 1; k < runs.size(); k += 2) count += runs[k];
+    std::vector<T> own(count);
+    const std::vector<Bytes> runs_of_ranks = gather(std::as_bytes(runs));
+    std::vector<std::vector<T>> sent(runs_of_ranks.size());
+    std::vector<Outgoing> outgoing;
+    std::vector<Incoming> incoming;
+    for (std::size_t to = 0; to < sent.size(); ++to) {
+      std::vector<std::uint64_t> wanted(runs_of_ranks[to].size() / sizeof(std::uint64_t));
+      if (!wanted.empty()) std::memcpy(wanted.data(), runs_of_ranks[to].data(), runs_of_ranks[to].size());
+      for (std::size_t k = 0; k < wanted.size(); k += 2)
+        sent[to].insert(sent[to].end(), on_root.begin() + static_cast<std::ptrdiff_t>(wanted[k]),
+                        on_root.begin() + static_cast<std::ptrdiff_t>(wanted[k] + wanted[k + 1]));
+      if (to != 0 && !sent[to].empty()) outgoing.push_back({static_cast<int>(to), std::as_bytes(std::span(sent[to]))});
+    }
+    if (is_root())
+      own = std::move(sent.front());
+    else if (count > 0)
+      incoming.push_back({0, std::as_writable_bytes(std::span(own))});
+    exchange(outgoing, incoming);
+    return own;
+  }
+
  private:
   template <class T>
   static std::vector<T> joined(const std::vector<Bytes>& of_ranks) {

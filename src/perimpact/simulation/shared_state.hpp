@@ -41,7 +41,7 @@ class GatheredState {
     if constexpr (requires { values.per_eight; }) {
       pass(name, values.share->gather(std::span<const T>(numbers), values.per_eight));
     } else if constexpr (requires { values.per_slot; }) {
-      pass(name, values.share->gather_listed(std::span<const T>(numbers), values.slots, values.per_slot));
+      pass(name, values.share->gather_listed(std::span<const T>(numbers), values.slots));
     } else if (const Body* body = body_of_points(name, bodies_)) {
       std::vector<T> points;
       for (const T point : numbers) points.push_back(static_cast<T>(body->particles.share().whole_slot(static_cast<std::size_t>(point))));
@@ -117,7 +117,7 @@ class HashOfRanks {
   GatheredState<Root> rest_;
 };
 
-/// Restores the state of this rank from a source of arrays of the whole run, which every rank reads. Collective.
+/// Restores the state of this rank from a source of arrays of the whole run. Of particles only the root reads them, and passes each rank its part. Collective.
 template <class Source>
 class TakenState {
  public:
@@ -129,13 +129,11 @@ class TakenState {
     const auto numbers = fccda::numbers_in(values);
     using T = typename decltype(numbers)::value_type;
     if constexpr (requires { values.per_eight; }) {
-      std::vector<T> whole(values.share->count_of_whole(values.per_eight));
-      source_(name, std::span<T>(whole));
-      values.share->take(std::span<const T>(whole), numbers, values.per_eight);
+      const std::size_t count = values.share->count_of_whole(values.per_eight);
+      values.share->take(std::span<const T>(on_root<T>(name, count)), numbers, values.per_eight);
     } else if constexpr (requires { values.per_slot; }) {
-      std::vector<T> whole(static_cast<std::size_t>(ranks_.sum(static_cast<std::int64_t>(numbers.size()))));
-      source_(name, std::span<T>(whole));
-      values.share->take_listed(std::span<const T>(whole), numbers, values.slots);
+      const std::size_t count = static_cast<std::size_t>(ranks_.sum(static_cast<std::int64_t>(numbers.size())));
+      values.share->take_listed(std::span<const T>(on_root<T>(name, count)), numbers, values.slots);
     } else if constexpr (fccda::is_list<std::remove_cvref_t<Values>>) {
       source_(name, values);
       const Body* body = body_of_points(name, bodies_);
@@ -151,6 +149,14 @@ class TakenState {
   }
 
  private:
+  template <class T>
+  std::vector<T> on_root(std::string_view name, std::size_t count) {
+    if (!ranks_.is_root()) return {};
+    std::vector<T> whole(count);
+    source_(name, std::span<T>(whole));
+    return whole;
+  }
+
   std::span<const Body> bodies_;
   Ranks& ranks_;
   Source source_;

@@ -124,7 +124,7 @@ TEST_CASE("share: numbers of the eights of the body are gathered in order, and e
         std::vector<double> expected;
         for (std::size_t n = 0; n < whole.slots() / 8 * per_eight; ++n) expected.push_back(number_of(n));
         std::vector<double> taken(own.size(), -1);
-        share.take(std::span<const double>(expected), std::span<double>(taken), {.each = per_eight});
+        share.take(std::span<const double>(ranks.is_root() ? expected : std::vector<double>()), std::span<double>(taken), {.each = per_eight});
         const std::lock_guard guard(mutex);
         CHECK(gathered == (ranks.is_root() ? expected : std::vector<double>()));
         bool agree = true;
@@ -137,30 +137,39 @@ TEST_CASE("share: numbers of the eights of the body are gathered in order, and e
     }
 }
 
-TEST_CASE("share: numbers of listed particles are gathered by their slots in the whole body, whichever rank has them") {
+TEST_CASE("share: numbers of listed particles are gathered by their slots in the whole body, whichever ranks have them, the root or only others") {
   const Lattice whole = lattice_of(scenes[0]);
-  std::mutex mutex;
-  run_in_process(3, [&](Ranks& ranks) {
-    const Share share(ranks, whole, PartitionRule{whole.cells, 3});
-    std::vector<std::uint32_t> slots;
-    std::vector<double> own;  // two of each
-    for (std::size_t slot = 0; slot < share.lattice().slots(); ++slot)
-      if (share.owned_cells().contains(share.lattice().cell(slot)) && share.whole_slot(slot) % 11 == 0) {
-        slots.push_back(static_cast<std::uint32_t>(slot));
-        own.insert(own.end(), {number_of(share.whole_slot(slot)), -number_of(share.whole_slot(slot))});
-      }
-    const std::vector<double> gathered = share.gather_listed(std::span<const double>(own), slots, 2);
+  for (const bool only_on_last : {false, true}) {
+    CAPTURE(only_on_last);
     std::vector<double> expected;
-    for (std::size_t slot = 0; slot < whole.slots(); slot += 11) {
-      const auto [i, j, k] = whole.cell(slot);
-      if (whole.contains(i, j, k)) expected.insert(expected.end(), {number_of(slot), -number_of(slot)});
-    }
-    std::vector<double> taken(own.size(), 0);
-    share.take_listed(std::span<const double>(expected), std::span<double>(taken), slots);
-    const std::lock_guard guard(mutex);
-    CHECK(gathered == (ranks.is_root() ? expected : std::vector<double>()));
-    CHECK(taken == own);
-  });
+    std::size_t of_root = 0;
+    std::mutex mutex;
+    const auto is_listed = [&](const Share& share, std::size_t slot) { return slot % 11 == 0 && (!only_on_last || share.owner_of(slot) == 2); };
+    run_in_process(3, [&](Ranks& ranks) {
+      const Share share(ranks, whole, PartitionRule{whole.cells, 3});
+      std::vector<std::uint32_t> slots;
+      std::vector<double> own;  // two of each
+      for (std::size_t slot = 0; slot < share.lattice().slots(); ++slot)
+        if (share.owned_cells().contains(share.lattice().cell(slot)) && is_listed(share, share.whole_slot(slot))) {
+          slots.push_back(static_cast<std::uint32_t>(slot));
+          own.insert(own.end(), {number_of(share.whole_slot(slot)), -number_of(share.whole_slot(slot))});
+        }
+      const std::vector<double> gathered = share.gather_listed(std::span<const double>(own), slots);
+      std::vector<double> in_order;
+      for (std::size_t slot = 0; slot < whole.slots(); ++slot) {
+        const auto [i, j, k] = whole.cell(slot);
+        if (whole.contains(i, j, k) && is_listed(share, slot)) in_order.insert(in_order.end(), {number_of(slot), -number_of(slot)});
+      }
+      std::vector<double> taken(own.size(), 0);
+      share.take_listed(std::span<const double>(ranks.is_root() ? in_order : std::vector<double>()), std::span<double>(taken), slots);
+      const std::lock_guard guard(mutex);
+      CHECK(gathered == (ranks.is_root() ? in_order : std::vector<double>()));
+      CHECK(taken == own);
+      if (ranks.is_root()) expected = in_order, of_root = own.size();
+    });
+    CHECK(expected.size() > 10);
+    CHECK((of_root == 0) == only_on_last);
+  }
 }
 
 TEST_CASE("share: a shift takes the numbers of the cells further on from whichever rank has them, and keeps those whose cells would be outside the body") {
