@@ -35,48 +35,63 @@ class Vertices {
   std::vector<Vec3d> velocity_;
 };
 
-/// One impact, prepared for the sweeps.
+/// One direction of an impact, prepared for the sweeps.
 struct Row {
+  const PanelImpact* impact;
+  const PanelImpact::Part* part;
   std::array<std::size_t, 3> places;
-  double along;     // [m/s] d
-  double diagonal;  // 1 + m W
+  double diagonal = 1;  // 1 + m W
+  double share = 0;
+
+  Row(const PanelImpact& of, const PanelImpact::Part& direction, const std::array<std::size_t, 3>& at) : impact(&of), part(&direction), places(at) {
+    for (std::size_t k = 0; k < 3; ++k) diagonal += of.mass * of.inverse_masses[k] * squared_norm(direction.vertex_impulses[k]);
+  }
+
+  /// Changes the share; returns by how much that changes the velocity of the point [m/s].
+  double set(double value, Vertices& vertices) {
+    const double change = (value - share) * part->change;
+    share = value;
+    for (std::size_t k = 0; k < 3; ++k) vertices.velocity(places[k]) -= (impact->mass * change * impact->inverse_masses[k]) * part->vertex_impulses[k];
+    return std::fabs(change);
+  }
+
+  /// The share with which point and panel part as at an unyielding panel.
+  double wanted(Vertices& vertices) const {
+    double panel = 0;  // [m/s] along the direction
+    for (std::size_t k = 0; k < 3; ++k) panel += dot(part->vertex_impulses[k], vertices.velocity(places[k]));
+    return share + (part->change * (1 - share) + panel) / (part->change * diagonal);
+  }
 };
 
 }  // namespace
 
-std::vector<double> impact_shares(std::span<const PanelImpact> impacts) {
+std::vector<ImpactShare> impact_shares(std::span<const PanelImpact> impacts) {
   Vertices vertices(impacts);
-  std::vector<Row> rows;
+  std::vector<Row> normal, tangential;
   double largest = 0;
   for (const PanelImpact& impact : impacts) {
-    double yield = 0;
-    for (std::size_t k = 0; k < 3; ++k) yield += impact.weights[k] * impact.weights[k] * impact.inverse_masses[k];
-    rows.push_back({vertices.places_of(impact), dot(impact.change, impact.normal), 1 + impact.mass * yield});
-    largest = std::max(largest, norm(impact.change));
+    const std::array<std::size_t, 3> places = vertices.places_of(impact);
+    normal.emplace_back(impact, impact.normal, places);
+    tangential.emplace_back(impact, impact.tangential, places);
+    largest = std::max({largest, std::fabs(impact.normal.change), impact.tangential.change});
   }
-  std::vector<double> shares(impacts.size(), 0.0);
-  const auto add = [&](std::size_t c, double share) {
-    shares[c] += share;
-    for (std::size_t k = 0; k < 3; ++k)
-      vertices.velocity(rows[c].places[k]) -= (impacts[c].weights[k] * impacts[c].mass * share * impacts[c].inverse_masses[k]) * impacts[c].change;
-  };
   // A point that is relocated without a push is by itself: what others do to the panel does not concern it.
+  const auto is_pushed = [&](std::size_t c) { return impacts[c].normal.change > 0; };
   for (std::size_t c = 0; c < impacts.size(); ++c)
-    if (!(rows[c].along > 0)) add(c, 1 / rows[c].diagonal);
+    if (!is_pushed(c))
+      for (Row* row : {&normal[c], &tangential[c]}) row->set(1 / row->diagonal, vertices);
   for (int sweep = 0; sweep < max_sweeps; ++sweep) {
     double change = 0;
     for (std::size_t c = 0; c < impacts.size(); ++c) {
-      const Row& row = rows[c];
-      if (!(row.along > 0)) continue;
-      Vec3d panel{};
-      for (std::size_t k = 0; k < 3; ++k) panel += impacts[c].weights[k] * vertices.velocity(row.places[k]);
-      const double missing = (row.along * (1 - shares[c]) + dot(panel, impacts[c].normal)) / (row.along * row.diagonal);
-      const double share = std::max(missing, -shares[c]);
-      add(c, share);
-      change = std::max(change, std::fabs(share) * norm(impacts[c].change));
+      if (!is_pushed(c)) continue;
+      change = std::max(change, normal[c].set(std::max(normal[c].wanted(vertices), 0.0), vertices));
+      if (impacts[c].tangential.change > 0)
+        change = std::max(change, tangential[c].set(std::clamp(tangential[c].wanted(vertices), 0.0, normal[c].share), vertices));
     }
     if (change <= tolerance * largest) break;
   }
+  std::vector<ImpactShare> shares;
+  for (std::size_t c = 0; c < impacts.size(); ++c) shares.push_back({normal[c].share, tangential[c].share});
   return shares;
 }
 

@@ -39,6 +39,20 @@ inline PanelImpulse resolved(const DeformingContact& contact, const Vec3d& posit
                        resolved(contact.contact, position_t0, velocity, Pose(), dt, friction, [&](const Vec3d&) { return surface_velocity; }));
 }
 
+/// What impact_shares() needs of one contact, besides masses of vertices.
+inline PanelImpact panel_impact(const DeformingContact& contact, double mass, const Vec3d& before, const Resolved& after) {
+  const auto part = [&](double change, const Vec3d& direction) {
+    return PanelImpact::Part{change, direction, vertex_impulses(direction, after.position, contact.place.corners, contact.place.weights)};
+  };
+  const Vec3d& n = contact.contact.normal;
+  const Vec3d change = after.velocity - before, along = change - dot(change, n) * n;
+  const double sliding = norm(along);
+  return {.vertices = contact.place.vertices,
+          .mass = mass,
+          .normal = part(dot(change, n), n),
+          .tangential = sliding > 0 ? part(sliding, along / sliding) : PanelImpact::Part()};
+}
+
 /// Relocates the points, sets their velocities, and adds the impulses on the surface to `impulses` [N s], one for each vertex of the panels that the
 /// surface was made of. `inverse_mass(v)` [1/kg] of vertex v, 0 for prescribed motion. Returns the sum, with moments about the origin of the world
 /// frame. Calls `report(contact, impulse)` for each contact, in order.
@@ -52,18 +66,17 @@ ContactSum respond(P& points, std::span<const DeformingContact> contacts, double
     const std::size_t i = contact.contact.point;
     const Vec3d before = points.velocity(i);
     after.push_back(resolved(contact, points.position_t0(i), before, points.mass(i), dt, friction).point);
-    PanelImpact& impact = impacts.emplace_back(
-        PanelImpact{.vertices = contact.place.vertices, .weights = contact.place.weights, .mass = points.mass(i), .change = after.back().velocity - before});
-    impact.normal = contact.contact.normal;
+    PanelImpact& impact = impacts.emplace_back(panel_impact(contact, points.mass(i), before, after.back()));
     for (std::size_t k = 0; k < 3; ++k) impact.inverse_masses[k] = inverse_mass(static_cast<std::size_t>(contact.place.vertices[k]));
   }
-  const std::vector<double> shares = impact_shares(impacts);
+  const std::vector<ImpactShare> shares = impact_shares(impacts);
   ContactSum sum;
   for (std::size_t c = 0; c < contacts.size(); ++c) {
     const DeformingContact& contact = contacts[c];
     const std::size_t i = contact.contact.point;
     const Vec3d before = points.velocity(i);
-    after[c].velocity = before + shares[c] * impacts[c].change;
+    const PanelImpact::Part &normal = impacts[c].normal, &tangential = impacts[c].tangential;
+    after[c].velocity = before + (shares[c].normal * normal.change) * normal.direction + (shares[c].tangential * tangential.change) * tangential.direction;
     const PanelImpulse impulse = panel_impulse(contact, impacts[c].mass, before, after[c]);
     points.set(i, after[c].position, after[c].velocity);
     for (std::size_t k = 0; k < 3; ++k) impulses[static_cast<std::size_t>(contact.place.vertices[k])] += impulse.on_vertices[k];

@@ -95,7 +95,7 @@ TEST_CASE(
       const double moved = way(surface, path);
       std::size_t tested = 0;
       Bvh::Nearby nearby;
-      const std::optional<ClosestPoint> at_end = surface.bvh_t1().closest(path.end, Bvh::no_cap, -1, 2 * moved, nearby, tested);
+      surface.bvh_t1().closest(path.end, Bvh::no_cap, -1, 2 * moved, nearby, tested);  // fills `nearby`
       const std::optional<ClosestPoint> expected = surface.bvh_t0().closest(path.start),
                                         found = surface.bvh_t0().closest_before(path.start, nearby, moved, -1, tested);
       CHECK(found->triangle == expected->triangle);

@@ -230,3 +230,37 @@ TEST_CASE("deforming response: a surface that moves rigidly acts as a rigid body
   CHECK(norm(of_rigid.impulse - of_deforming.impulse) == fixtures::absolute(0, 1e-7 * norm(of_rigid.impulse), "N s"));
   for (std::size_t i = 0; i < a.size(); ++i) CHECK(norm(a.v[i] - b.v[i]) == fixtures::absolute(0, 1e-6, "m/s"));
 }
+
+TEST_CASE("deforming response: friction adds no energy where points that press on two sides of a fold drag it along") {
+  // A fold along y, of light vertices between prescribed borders. The two sides hold each other along their normals, not along the fold.
+  Panels fold;
+  for (const double y : {-1.0, 0.0, 1.0})
+    for (const Vec3d& corner : {Vec3d{-0.02, y, 0}, Vec3d{0, y, 1}, Vec3d{0.02, y, 0}}) fold.vertices.push_back(corner);
+  for (int a : {0, 3}) {
+    fold.add_triangle(a + 3, a, a + 1), fold.add_triangle(a + 4, a + 3, a + 1);
+    fold.add_triangle(a + 5, a + 4, a + 1), fold.add_triangle(a + 2, a + 5, a + 1);
+  }
+  const double dt = 0.02;
+  for (const double friction : {0.0, 0.3, 2.0})
+    for (const double mass : {1e-4, 1e-2, 1.0}) {
+      const auto surface = open_surface(fold);
+      surface->move(fold.vertices);
+      TestPoints points;
+      for (const double y : {-0.1, 0.3})
+        for (const double side : {-1.0, 1.0}) {
+          points.x0.push_back({0.02 * side, y, 0.5}), points.v.push_back({-side, 3, 0}), points.m.push_back(1);
+          points.x1.push_back(points.x0.back() + dt * points.v.back());
+        }
+      const double energy = 0.5 * 4 * 10;
+      Deforming detector(surface, 0);
+      const std::vector<DeformingContact> contacts = deforming::detect(detector, points);
+      REQUIRE(contacts.size() == 4);
+      std::vector<Vec3d> impulses(9);
+      respond(
+          points, contacts, dt, friction, [&](std::size_t v) { return v % 3 == 1 ? 1 / mass : 0.0; }, impulses);
+      double after = 0;
+      for (const Vec3d& v : points.v) after += 0.5 * squared_norm(v);
+      for (const std::size_t v : {1, 4, 7}) after += 0.5 * squared_norm(impulses[v]) / mass;
+      CHECK(after < energy);
+    }
+}
