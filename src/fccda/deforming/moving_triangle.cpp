@@ -8,6 +8,7 @@ namespace fccda {
 
 namespace {
 
+constexpr std::array<Feature, 3> edges{Feature::edge_0, Feature::edge_1, Feature::edge_2};
 constexpr double unit = 0.5 * std::numeric_limits<double>::epsilon();  // 2⁻⁵³
 
 Vec3d magnitudes(const Vec3d& a) { return {std::fabs(a.x), std::fabs(a.y), std::fabs(a.z)}; }
@@ -153,6 +154,38 @@ std::optional<double> meeting(const Around& around, const Span& span) {
   return meeting(around, span, std::max(4 * around.rounding(), 0x1p-11 * (span.end - span.begin) * around.speed()));
 }
 
+/// How long all corners stay farther than the radius from the origin, in front of a plane through it with the normal `towards` + t `turning`. `turning` is
+/// perpendicular to `towards`, a unit vector. Where the corners are farther than that from the plane, so is the triangle from the origin.
+double time_of_plane(const Corners& corners, const Corners& rates, const Vec3d& towards, const Vec3d& turning, double radius) {
+  double time = std::numeric_limits<double>::infinity();
+  const auto limit = [&](const Vec3d& corner, const Vec3d& rate) {
+    // The height, over radius times a bound of the normal's length, sqrt(1 + t² turning²): a + b t + c t².
+    const double a = std::max(0.0, dot(towards, corner) - radius), b = dot(towards, rate) + dot(turning, corner);
+    const double c = dot(turning, rate) - 0.5 * radius * squared_norm(turning);
+    const double square = b * b - 4 * a * c;
+    if (!(square >= 0) || (b >= 0 && c >= 0)) return;
+    const double sum = -0.5 * (b + std::copysign(std::sqrt(square), b));
+    time = std::min(time, b < 0 ? a / sum : sum / c);
+  };
+  limit(corners.a, rates.a), limit(corners.b, rates.b), limit(corners.c, rates.c);
+  return time;
+}
+
+/// How planes turn that follow the face, and the edge if that is closest: then their corners keep equal heights.
+std::array<Vec3d, 2> turnings(const Corners& corners, const Corners& rates, const Vec3d& towards, Feature feature) {
+  const std::array<Vec3d, 3> x{corners.a, corners.b, corners.c};
+  const std::array<double, 3> rising{dot(towards, rates.a), dot(towards, rates.b), dot(towards, rates.c)};
+  const auto perpendicular = [&](const Vec3d& turning) { return is_finite(turning) ? turning - dot(turning, towards) * towards : Vec3d{}; };
+  const Vec3d area = cross(x[1] - x[0], x[2] - x[0]);
+  Vec3d with_face{}, with_edge{};
+  for (std::size_t k = 0; k < 3; ++k) {
+    const Vec3d edge = x[(k + 1) % 3] - x[k];
+    with_face -= rising[(k + 2) % 3] / squared_norm(area) * cross(area, edge);
+    if (feature == edges[k]) with_edge = (rising[k] - rising[(k + 1) % 3]) / squared_norm(edge) * edge;
+  }
+  return {perpendicular(with_face), perpendicular(with_edge)};
+}
+
 }  // namespace
 
 std::optional<double> front_crossing(const Path& point, const MovingTriangle& triangle) {
@@ -210,6 +243,7 @@ std::array<double, 3> barycentric(const Corners& triangle, const Vec3d& point) {
 
 std::optional<double> first_contact(const Path& centre, const MovingTriangle& triangle, double radius, double tolerance, double until) {
   constexpr int max_steps = 200;   // at grazing contact each step halves the remainder
+  constexpr int plain_steps = 8;   // most contacts are decided by then
   constexpr double along = 1e-14;  // a slope within rounding: a path along the triangle, not towards it
   const Around around(centre, triangle);
   const Corners rates = around.rates();
@@ -230,12 +264,10 @@ std::optional<double> first_contact(const Path& centre, const MovingTriangle& tr
       radius = std::min(radius, distance - 2 * tolerance);
       if (!(radius > 0)) return std::nullopt;
     }
-    double next = std::numeric_limits<double>::infinity();
-    const auto limit = [&](const Vec3d& corner, const Vec3d& rate) {
-      const double falls = -dot(towards, rate);
-      if (falls > 0) next = std::min(next, fraction + std::max(0.0, dot(towards, corner) - radius) / falls);
-    };
-    limit(corners.a, rates.a), limit(corners.b, rates.b), limit(corners.c, rates.c);
+    double next = fraction + time_of_plane(corners, rates, towards, {}, radius);
+    if (step >= plain_steps && radius > 0)  // it comes along with a triangle that turns
+      for (const Vec3d& turning : turnings(corners, rates, towards, on.feature))
+        next = std::max(next, fraction + time_of_plane(corners, rates, towards, turning, radius));
     if (!(next <= until)) return std::nullopt;
     if (next == fraction) return fraction;
     fraction = next;

@@ -43,6 +43,39 @@ Scene smooth_scene(std::mt19937_64& random, double step) {
   return {{start, start + 2 * step * place()}, {t0, t1}};
 }
 
+/// The distance between point and triangle during the step.
+class Clearance {
+ public:
+  explicit Clearance(const Scene& scene) : scene_(scene) {
+    const Corners &s = scene.triangle.t0, &t = scene.triangle.t1;
+    const Vec3d way = scene.point.end - scene.point.start;
+    speed_ = std::max({norm(way - (t.a - s.a)), norm(way - (t.b - s.b)), norm(way - (t.c - s.c))});
+  }
+
+  double distance(double t) const {
+    const Corners c = scene_.triangle.at(t);
+    return fixtures::Soup::distance(scene_.point.at(t), {c.a, c.b, c.c});
+  }
+
+  /// The first time at which the distance is at most `limit`: where it cannot be, a span is skipped, else halved.
+  std::optional<double> first_below(double limit) const {
+    std::vector<std::pair<double, double>> spans{{0, 1}};
+    while (!spans.empty()) {
+      const auto [begin, end] = spans.back();
+      spans.pop_back();
+      const double middle = 0.5 * (begin + end);
+      if (distance(middle) - 0.5 * (end - begin) * speed_ > limit) continue;
+      if (end - begin < 1e-10) return middle;
+      spans.push_back({middle, end}), spans.push_back({begin, middle});
+    }
+    return std::nullopt;
+  }
+
+ private:
+  Scene scene_;
+  double speed_;
+};
+
 }  // namespace
 
 TEST_CASE("moving triangle: crossings on lattices of integers are those of exact arithmetic") {
@@ -149,34 +182,15 @@ TEST_CASE("moving triangle: a ball makes contact when its distance, by subdivisi
   double worst = 0;
   for (int k = 0; k < 4000; ++k) {
     const Scene scene = smooth_scene(random, k % 2 == 0 ? 0.1 : 1);
-    const auto distance = [&](double t) {
-      const Corners c = scene.triangle.at(t);
-      return fixtures::Soup::distance(scene.point.at(t), {c.a, c.b, c.c});
-    };
-    if (distance(0) < radius + 1e-9) continue;
-    const Corners &s = scene.triangle.t0, &t = scene.triangle.t1;
-    const Vec3d way = scene.point.end - scene.point.start;
-    const double speed = std::max({norm(way - (t.a - s.a)), norm(way - (t.b - s.b)), norm(way - (t.c - s.c))});
-    // The first time at which the distance is at most `limit`: where it cannot be, a span is skipped, else halved.
-    const auto first_below = [&](double limit) {
-      std::vector<std::pair<double, double>> spans{{0, 1}};
-      while (!spans.empty()) {
-        const auto [begin, end] = spans.back();
-        spans.pop_back();
-        const double middle = 0.5 * (begin + end);
-        if (distance(middle) - 0.5 * (end - begin) * speed > limit) continue;
-        if (end - begin < 1e-10) return std::optional(middle);
-        spans.push_back({middle, end}), spans.push_back({begin, middle});
-      }
-      return std::optional<double>();
-    };
-    const std::optional<double> surely = first_below(radius - 1e-9), possibly = first_below(radius + 1e-9);
+    const Clearance clearance(scene);
+    if (clearance.distance(0) < radius + 1e-9) continue;
+    const std::optional<double> surely = clearance.first_below(radius - 1e-9), possibly = clearance.first_below(radius + 1e-9);
     const std::optional<double> found = first_contact(scene.point, scene.triangle, radius, tolerance, 1);
     contacts += surely.has_value();
     missed += surely && !found;
     invented += !possibly && found;
     if (!found || !possibly) continue;
-    worst = std::max(worst, std::fabs(distance(*found) - radius));
+    worst = std::max(worst, std::fabs(clearance.distance(*found) - radius));
     CHECK(*found >= *possibly - 1e-9);
     if (surely) CHECK(*found <= *surely + 1e-9);
   }
@@ -184,6 +198,34 @@ TEST_CASE("moving triangle: a ball makes contact when its distance, by subdivisi
   CHECK(missed == 0);
   CHECK(invented == 0);
   CHECK(worst < 1e-12);
+}
+
+TEST_CASE("moving triangle: a small ball that comes along with a triangle that turns makes contact only where its distance falls to the radius") {
+  std::mt19937_64 random(7);
+  std::uniform_real_distribution<double> unit(0, 1);
+  constexpr double radius = 1e-3;
+  std::size_t clear = 0, contacts = 0;
+  for (int k = 0; k < 400; ++k) {
+    Scene scene = smooth_scene(random, 0.2);
+    // Beside the face, an edge or a corner, by up to 3 % of the radius at both ends.
+    const auto beside = [&](const Corners& t) {
+      const Vec3d normal = normalised(cross(t.b - t.a, t.c - t.a)), edge = normalised(t.b - t.a);
+      const double share = 0.1 + 0.8 * unit(random), way = radius * (1 + 0.03 * unit(random));
+      if (k % 3 == 0) return (t.a + t.b + t.c) / 3 + 0.1 * share * (t.b - t.a) + way * normal;
+      if (k % 3 == 1) return t.a + share * (t.b - t.a) + way * normalised(normal + 0.1 * cross(edge, normal));
+      return t.a + way * normalised(normal - 0.1 * (t.b - t.a) - 0.1 * (t.c - t.a));
+    };
+    scene.point = {beside(scene.triangle.t0), beside(scene.triangle.t1)};
+    const Clearance clearance(scene);
+    if (clearance.distance(0) < radius * (1 + 1e-3)) continue;
+    const bool found = first_contact(scene.point, scene.triangle, radius, 1e-15, 1).has_value();
+    const bool surely = clearance.first_below(radius * (1 - 1e-3)).has_value(), possibly = clearance.first_below(radius * (1 + 1e-3)).has_value();
+    clear += !possibly, contacts += surely;
+    CHECK((found || !surely));
+    CHECK((!found || possibly));
+  }
+  CHECK(clear > 30);
+  CHECK(contacts > 30);
 }
 
 TEST_CASE("moving triangle: a ball in contact at the start counts only if it moves farther in") {
