@@ -16,6 +16,7 @@ void StructureCoupling::advance(const Step& step) {
   std::fill(assumed_.begin(), assumed_.end(), 0.0);
   std::fill(found_.begin(), found_.end(), 0.0);
   places_.clear(), touched_.clear(), active_.clear();
+  best_ = assumed_, least_error_ = std::numeric_limits<double>::infinity();
   structure_.begin(step);
   structure_.move(assumed_, vertices_);
   surface_.move(vertices_);
@@ -48,12 +49,17 @@ double StructureCoupling::largest_velocity(std::span<const double> impulse) cons
   return largest;
 }
 
+// [N s] by which the found impulse exceeds the assumed one.
+std::vector<double> StructureCoupling::missing() const {
+  std::vector<double> missing(found_);
+  for (std::size_t c = 0; c < missing.size(); ++c) missing[c] -= assumed_[c];
+  return missing;
+}
+
 bool StructureCoupling::agrees(double share) {
   activate();
   if (touched_.empty()) return true;
-  std::vector<double> missing(found_);
-  for (std::size_t c = 0; c < missing.size(); ++c) missing[c] -= assumed_[c];
-  const double error = largest_velocity(missing), change = largest_velocity(found_);
+  const double error = largest_velocity(missing()), change = largest_velocity(found_);
   const Box& bounds = surface_.at_t1().report().bounds;
   const double furthest = std::max(largest_magnitude(bounds.low), largest_magnitude(bounds.high));
   const double rounding = std::max(1e-12 * surface_.size(), 32 * std::numeric_limits<double>::epsilon() * furthest);  // [m]
@@ -112,17 +118,25 @@ void StructureCoupling::activate() {
 }
 
 void StructureCoupling::correct() {
-  activate();
-  std::vector<double> missing(assumed_.size(), 0.0), change(assumed_.size(), 0.0);
-  for (const std::size_t c : active_) missing[c] = found_[c] - assumed_[c];
-  solve(missing, change);
+  end_pass();
+  std::vector<double> change(assumed_.size(), 0.0);
+  solve(missing(), change);
   for (const std::size_t c : active_) assumed_[c] += change[c];
   move();
 }
 
 void StructureCoupling::retreat() {
-  std::fill(assumed_.begin(), assumed_.end(), 0.0);
+  end_pass();
+  assumed_ = best_;
   move();
+}
+
+void StructureCoupling::end_pass() {
+  activate();
+  const double error = largest_velocity(missing());
+  if (!(error < least_error_)) return;
+  least_error_ = error;
+  best_ = assumed_;
 }
 
 void StructureCoupling::move() {

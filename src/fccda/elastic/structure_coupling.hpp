@@ -39,7 +39,7 @@ class StructureCoupling {
   bool agrees(double share = 1e-6);
 
   void correct();  ///< begins the next pass with a Newton update
-  void retreat();  ///< begins the next pass with the contact-free motion, for iterations that diverge
+  void retreat();  ///< begins the next pass as the one in which assumed and found impulse differed least, for iterations that do not converge
 
   double correction() const { return correction_; }  ///< [m] largest displacement of a vertex at t1 between the last two passes
   double finish();                                   ///< applies the found impulse; returns the work of contact on the structure [J]
@@ -55,15 +55,19 @@ class StructureCoupling {
   };
 
   void move();
+  void end_pass();
   void activate();
   Vec3d velocity_at(const Place& place, std::span<const double> velocity) const;
   double largest_velocity(std::span<const double> impulse) const;
+  std::vector<double> missing() const;
   void multiply(std::span<const double> x, std::span<double> product) const;
   void solve(std::span<const double> right, std::span<double> x) const;
 
   Structure& structure_;
   DeformingSurface& surface_;
   std::vector<double> assumed_, found_;
+  std::vector<double> best_;         // the assumed impulse of the pass in which it differed least from the one found
+  double least_error_ = 0;           // [m/s] of the vertices in that pass
   std::vector<Place> places_;        // of this pass
   std::vector<int> touched_;         // vertices in contact in any pass of the step, ascending
   std::vector<std::size_t> active_;  // their coordinates

@@ -56,7 +56,7 @@ struct Impacts {
         points.x1[i] = free.x1[i], points.v[i] = free.v[i];
         detector.moved(i);
       }
-      coupling.correct();
+      pass + 1 == StructureCoupling::max_passes && !coupling.agrees(0.1) ? coupling.retreat() : coupling.correct();
     }
     work += coupling.finish();
   }
