@@ -67,31 +67,29 @@ struct Row {
 
 std::vector<ImpactShare> impact_shares(std::span<const PanelImpact> impacts) {
   Vertices vertices(impacts);
-  std::vector<Row> normal, tangential;
+  std::vector<Row> push, friction;
   double largest = 0;
   for (const PanelImpact& impact : impacts) {
     const std::array<std::size_t, 3> places = vertices.places_of(impact);
-    normal.emplace_back(impact, impact.normal, places);
-    tangential.emplace_back(impact, impact.tangential, places);
-    largest = std::max({largest, std::fabs(impact.normal.change), impact.tangential.change});
+    push.emplace_back(impact, impact.push, places);
+    friction.emplace_back(impact, impact.friction, places);
+    largest = std::max({largest, impact.push.change, impact.friction.change});
   }
   // A point that is relocated without a push is by itself: what others do to the panel does not concern it.
-  const auto is_pushed = [&](std::size_t c) { return impacts[c].normal.change > 0; };
   for (std::size_t c = 0; c < impacts.size(); ++c)
-    if (!is_pushed(c))
-      for (Row* row : {&normal[c], &tangential[c]}) row->set(1 / row->diagonal, vertices);
+    if (!impacts[c].is_pushed)
+      for (Row* row : {&push[c], &friction[c]}) row->set(1 / row->diagonal, vertices);
   for (int sweep = 0; sweep < max_sweeps; ++sweep) {
     double change = 0;
     for (std::size_t c = 0; c < impacts.size(); ++c) {
-      if (!is_pushed(c)) continue;
-      change = std::max(change, normal[c].set(std::max(normal[c].wanted(vertices), 0.0), vertices));
-      if (impacts[c].tangential.change > 0)
-        change = std::max(change, tangential[c].set(std::clamp(tangential[c].wanted(vertices), 0.0, normal[c].share), vertices));
+      if (!impacts[c].is_pushed) continue;
+      change = std::max(change, push[c].set(std::max(push[c].wanted(vertices), 0.0), vertices));
+      if (impacts[c].friction.change > 0) change = std::max(change, friction[c].set(std::clamp(friction[c].wanted(vertices), 0.0, push[c].share), vertices));
     }
     if (change <= tolerance * largest) break;
   }
   std::vector<ImpactShare> shares;
-  for (std::size_t c = 0; c < impacts.size(); ++c) shares.push_back({normal[c].share, tangential[c].share});
+  for (std::size_t c = 0; c < impacts.size(); ++c) shares.push_back({push[c].share, friction[c].share});
   return shares;
 }
 

@@ -39,18 +39,20 @@ inline PanelImpulse resolved(const DeformingContact& contact, const Vec3d& posit
                        resolved(contact.contact, position_t0, velocity, Pose(), dt, friction, [&](const Vec3d&) { return surface_velocity; }));
 }
 
-/// What impact_shares() needs of one contact, besides masses of vertices.
-inline PanelImpact panel_impact(const DeformingContact& contact, double mass, const Vec3d& before, const Resolved& after) {
-  const auto part = [&](double change, const Vec3d& direction) {
-    return PanelImpact::Part{change, direction, vertex_impulses(direction, after.position, contact.place.corners, contact.place.weights)};
+/// What impact_shares() needs of one contact, besides masses of vertices. `frictionless` [m/s]: velocity of the point after contact without friction.
+inline PanelImpact panel_impact(const DeformingContact& contact, double mass, const Vec3d& before, const Vec3d& frictionless, const Resolved& after) {
+  const auto part = [&](const Vec3d& change) {
+    const double speed = norm(change);
+    if (!(speed > 0)) return PanelImpact::Part();
+    const Vec3d direction = change / speed;
+    return PanelImpact::Part{speed, direction, vertex_impulses(direction, after.position, contact.place.corners, contact.place.weights)};
   };
-  const Vec3d& n = contact.contact.normal;
-  const Vec3d change = after.velocity - before, along = change - dot(change, n) * n;
-  const double sliding = norm(along);
+  const Vec3d push = frictionless - before;
   return {.vertices = contact.place.vertices,
           .mass = mass,
-          .normal = part(dot(change, n), n),
-          .tangential = sliding > 0 ? part(sliding, along / sliding) : PanelImpact::Part()};
+          .is_pushed = dot(push, contact.contact.normal) > 0,
+          .push = part(push),
+          .friction = part(after.velocity - frictionless)};
 }
 
 /// Relocates the points, sets their velocities, and adds the impulses on the surface to `impulses` [N s], one for each vertex of the panels that the
@@ -65,8 +67,9 @@ ContactSum respond(P& points, std::span<const DeformingContact> contacts, double
   for (const DeformingContact& contact : contacts) {
     const std::size_t i = contact.contact.point;
     const Vec3d before = points.velocity(i);
-    after.push_back(resolved(contact, points.position_t0(i), before, points.mass(i), dt, friction).point);
-    PanelImpact& impact = impacts.emplace_back(panel_impact(contact, points.mass(i), before, after.back()));
+    const Resolved frictionless = resolved(contact, points.position_t0(i), before, points.mass(i), dt, 0).point;
+    after.push_back(friction > 0 ? resolved(contact, points.position_t0(i), before, points.mass(i), dt, friction).point : frictionless);
+    PanelImpact& impact = impacts.emplace_back(panel_impact(contact, points.mass(i), before, frictionless.velocity, after.back()));
     for (std::size_t k = 0; k < 3; ++k) impact.inverse_masses[k] = inverse_mass(static_cast<std::size_t>(contact.place.vertices[k]));
   }
   const std::vector<ImpactShare> shares = impact_shares(impacts);
@@ -75,8 +78,8 @@ ContactSum respond(P& points, std::span<const DeformingContact> contacts, double
     const DeformingContact& contact = contacts[c];
     const std::size_t i = contact.contact.point;
     const Vec3d before = points.velocity(i);
-    const PanelImpact::Part &normal = impacts[c].normal, &tangential = impacts[c].tangential;
-    after[c].velocity = before + (shares[c].normal * normal.change) * normal.direction + (shares[c].tangential * tangential.change) * tangential.direction;
+    const PanelImpact::Part &push = impacts[c].push, &drag = impacts[c].friction;
+    after[c].velocity = before + (shares[c].push * push.change) * push.direction + (shares[c].friction * drag.change) * drag.direction;
     const PanelImpulse impulse = panel_impulse(contact, impacts[c].mass, before, after[c]);
     points.set(i, after[c].position, after[c].velocity);
     for (std::size_t k = 0; k < 3; ++k) impulses[static_cast<std::size_t>(contact.place.vertices[k])] += impulse.on_vertices[k];
