@@ -127,7 +127,7 @@ static double move_net(void) {
 }
 
 int main(int argc, char** argv) {
-  const int grains = argc > 1 ? atoi(argv[1]) : 40, steps = (int)(end_time / dt);
+  const int grains = argc > 1 ? atoi(argv[1]) : 32, steps = (int)(end_time / dt);
   fccda_deforming_surface* net = make_net();
   fccda_deforming_detector* detector;
   const fccda_vectors vertices = fccda_xyz(x[0], knots), onto = fccda_xyz(impulse[0], knots);

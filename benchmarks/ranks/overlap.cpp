@@ -106,14 +106,15 @@ int main(int argc, char** argv) {
   fccda::use_threads(1);
   const Setup setup = deck::read_deck(file, set).setup;
   const BodySetup& body = setup.bodies.front();
+  const Discretisation discretisation = discretise(body);
   RanksInTurn in_turn(ranks);
-  double interior = 1, sent_cells = 0;  // share of the owned cells, and of the rank that sends most
-  for (const BodyShare& share : shares_of_ranks(body, BodySolid(body), in_turn)) {
-    interior = std::min(interior, std::max(0.0, 1 - share.sent_cells / share.cells));
-    sent_cells = std::max(sent_cells, share.sent_cells);
+  double interior = 1, sent_slots = 0;  // share of the owned cells, and of the rank that sends most
+  for (const BodyShare& share : shares_of_ranks(body, discretisation, in_turn)) {
+    interior = std::min(interior, std::max(0.0, 1 - share.sent_slots / share.cells));
+    sent_slots = std::max(sent_slots, share.sent_slots);
   }
   double bytes = 0;  // sent in a step
-  for (const std::size_t of_cell : messages_of_body(body).refreshed) bytes += sent_cells * static_cast<double>(of_cell);
+  for (const std::size_t of_slot : messages_of_body(body, discretisation).refreshed) bytes += sent_slots * static_cast<double>(of_slot);
 
   const Network immediate{.latency = 0, .bandwidth = 1e300};
   const double delay = 0.5 * interior * measure(setup, ranks, steps, immediate).forces;

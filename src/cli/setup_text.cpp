@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <numbers>
 #include <optional>
 
 #include "cli/contact_bounds_text.hpp"
@@ -91,6 +92,23 @@ std::string rigid_body_text(const Impactor& impactor) {
          row("centre of mass", fmt::format("({:.4g}, {:.4g}, {:.4g}) m from the surface's origin", com.x, com.y, com.z)) + row("inertia", moments);
 }
 
+/// One line on the modes of an elastic impactor. Of modes of unit modal mass the mean of φ² over a uniform structure is one over its mass.
+std::string modes_text(const Impactor& impactor) {
+  const fccda::ElasticBody* const elastic = impactor.deforming() ? impactor.deforming()->elastic() : nullptr;
+  if (!elastic) return "";
+  double lowest = std::numeric_limits<double>::infinity(), highest = 0, lightest = lowest, heaviest = 0;
+  for (const fccda::Mode& mode : elastic->modes()) {
+    lowest = std::min(lowest, mode.angular_frequency), highest = std::max(highest, mode.angular_frequency);
+    double sum = 0;
+    for (const Vec3d& phi : mode.shape) sum += squared_norm(phi);
+    const double mass = static_cast<double>(mode.shape.size()) / sum;
+    lightest = std::min(lightest, mass), heaviest = std::max(heaviest, mass);
+  }
+  constexpr double turn = 2 * std::numbers::pi;
+  return row("modes", fmt::format("{}, {:.4g} to {:.4g} Hz; of a uniform structure of {:.3g} to {:.3g} kg, if they have unit modal mass",
+                                  elastic->modes().size(), lowest / turn, highest / turn, lightest, heaviest));
+}
+
 /// One line on initial buoyancy, weight and the equilibrium draft.
 std::string hydrostatics_text(const Impactor& impactor) {
   if (!impactor.water()) return "";
@@ -139,7 +157,7 @@ std::string setup_text(const Simulation& simulation) {
             boundary_conditions_text(simulation.boundary_conditions()[b]) + water_text(simulation, b);
   for (const Impactor& impactor : simulation.impactors())
     text += fmt::format("impactor {}\n", impactor.name()) + remesh_text(impactor) + surface_text(impactor.surface().report()) + rigid_body_text(impactor) +
-            hydrostatics_text(impactor) + contact_bounds_text(impactor) + approach_text(simulation, impactor);
+            modes_text(impactor) + hydrostatics_text(impactor) + contact_bounds_text(impactor) + approach_text(simulation, impactor);
   return text + step_text(simulation);
 }
 

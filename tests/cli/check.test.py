@@ -30,6 +30,19 @@ def _(t):
     t.assertEqual((step, int(steps)), (f"{report['stability']['step [s]']:.4g}", report["steps"]))
 
 
+@claim("check: the modes of an elastic impactor are counted, with the mass for which they have unit modal mass")
+def _(t):
+    corners = [(x, y, z) for x in (-0.02, 0.02) for y in (-0.02, 0.02) for z in (-0.02, 0.02)]
+    faces = [(0, 1, 3, 2), (4, 6, 7, 5), (0, 4, 5, 1), (2, 3, 7, 6), (0, 2, 6, 4), (1, 5, 7, 3)]
+    triangles = [(a, b, c) for a, b, c, _ in faces] + [(a, c, d) for a, _, c, d in faces]
+    (t.folder / "cube.obj").write_text("".join("v {} {} {}\n".format(*corner) for corner in corners) + "".join(f"f {a + 1} {b + 1} {c + 1}\n" for a, b, c in triangles))
+    modes = "".join(f"{x},{y},{z},{25 * x},0,0,0,{50 * z},0\n" for x, y, z in corners)  # φ² is 1/4 and 1 everywhere: of a structure of 4 kg, and of 1 kg
+    (t.folder / "modes.csv").write_text("frequency [Hz], 300, 2000\nx [m], y [m], z [m], mode_1_x, mode_1_y, mode_1_z, mode_2_x, mode_2_y, mode_2_z\n" + modes)
+    deck = t.deck(("surface: {cylinder: {diameter: 40 mm, height: 40 mm, axis: z, edge_length: 4 mm}}", "surface: {file: cube.obj}\n    elastic: {modes: modes.csv}"))
+    rows = rows_of(t.expect_success("check", deck, "--out", "r").out)
+    t.assertEqual(rows["modes"], "2, 300 to 2000 Hz; of a uniform structure of 1 to 4 kg, if they have unit modal mass")
+
+
 @claim("check: the first contact is predicted to the step")
 def _(t):
     # In this little time the plate does not answer yet. A row a step, so that the first row with contacts is the step.

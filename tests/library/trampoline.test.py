@@ -53,11 +53,11 @@ def balanced(scene, out, growth):
 
 @claim("a heap of grains rests on a net, none falls through, and the border carries its weight")
 def heap(scene):
-    out = scene.expect_success(40).out
+    out = scene.expect_success(32).out
     scene.assertGreater(number(out, r"lowest grain at (\S+) m"), -0.2)
     scene.assertGreater(number(out, r"(\d+) contacts"), 100000)
     scene.assertLess(abs(number(out, r"/ weight: (\S+)") - 1), 0.01)  # the heap still moves a little
-    balanced(scene, out, growth=0.005)
+    balanced(scene, out, growth=0.025)
 
 
 @claim("a number of grains for which the example has no memory is refused in a sentence")

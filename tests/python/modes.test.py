@@ -303,7 +303,11 @@ def time_step(test):
         return perimpact.Simulation.from_deck(test.folder / "deck.yaml", set={f"time.{key}": value for key, value in settings.items()})
 
     end = 6e-3
-    test.assertEqual(simulation("1 MPa").steps, np.ceil(end / (0.5 / highest)))  # the block alone allows more
+    short = simulation("1 MPa")
+    test.assertEqual(short.steps, np.ceil(end / (0.5 / highest)))  # the block alone allows more
+    test.assertFalse(any("shorter than the bodies need" in warning for warning in short.warnings))
+    soft = simulation("1 kPa").warnings
+    test.assertTrue(any("times shorter than the bodies need. Leave out high modes" in warning for warning in soft), soft)
     stiff, stiffer = simulation("1 GPa").steps, simulation("4 GPa").steps
     test.assertGreater(stiff, 2 * end * highest)
     test.assertLess(abs(stiffer / stiff - 2), 0.02)  # the block decides

@@ -272,11 +272,14 @@ void Impactor::repeat_step(bool last) {
   pending_on_panels_.clear();
   if (deforming_) {
     StructureCoupling& iteration = deforming_->iteration();
-    in_run(name_, [&] { last && !iteration.agrees(near) ? iteration.retreat() : iteration.correct(); });
+    const bool leads_nowhere = last && !iteration.agrees(near);
+    if (leads_nowhere) ++unconverged_steps_;
+    in_run(name_, [&] { leads_nowhere ? iteration.retreat() : iteration.correct(); });
     if (deforming_->elastic()) motion_.t1 = body_->pose();
     return;
   }
   const bool leads_nowhere = last && !coupling_.agrees(radius_, near);
+  if (leads_nowhere) ++unconverged_steps_;
   motion_ = leads_nowhere ? coupling_.retreat(*body_, radius_) : coupling_.correct(*body_, radius_);
 }
 

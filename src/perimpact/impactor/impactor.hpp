@@ -169,9 +169,12 @@ class Impactor {
   bool coasts() const { return prescribed_.is_empty() && loads_.empty() && !water_; }
   double constraint_work() const { return body_->constraint_work(); }  ///< [J] cumulative, of constraints and prescribed motion
   double load_work() const { return load_work_; }                      ///< [J] cumulative, of applied loads
-  double contact_work() const { return contact_work_; }                ///< [J] cumulative, on the impactor by contact
-  double work_on_particles() const { return work_on_particles_; }      ///< [J] cumulative, on particles in contact (docs/theory/energy.md)
-  double water_work() const { return water_work_; }                    ///< [J] cumulative, of weight, buoyancy and their damping
+  std::int64_t unconverged_steps() const {
+    return unconverged_steps_;
+  }                                                                ///< cumulative: its motion and its impulses did not agree within a tenth after all passes
+  double contact_work() const { return contact_work_; }            ///< [J] cumulative, on the impactor by contact
+  double work_on_particles() const { return work_on_particles_; }  ///< [J] cumulative, on particles in contact (docs/theory/energy.md)
+  double water_work() const { return water_work_; }                ///< [J] cumulative, of weight, buoyancy and their damping
 
   const std::optional<fccda::StillWater>& water() const { return water_; }
   fccda::Hydrostatics hydrostatics() const { return fccda::hydrostatics(*body_, *surface_, *water_); }  ///< current; requires water
@@ -211,6 +214,7 @@ class Impactor {
     fccda::visit_vector(account, "angular_impulse", account_.angular_impulse);
     account("contacts", account_.contacts);
     account("work_of_contact", contact_work_);
+    account("unconverged_steps", unconverged_steps_);
     account("work_on_particles", work_on_particles_);
     if (water_) {
       account("water_impulse", account_.water_impulse);
@@ -275,6 +279,7 @@ class Impactor {
   std::optional<PlacedInWater> placed_in_water_;
   double load_work_ = 0, water_work_ = 0;            // [J]
   double contact_work_ = 0, work_on_particles_ = 0;  // [J]
+  std::int64_t unconverged_steps_ = 0;
   ContactRecord record_;
 };
 

@@ -81,6 +81,12 @@ double resolve_modes(const Setup& setup, double automatic, double highest, std::
                     "{:.2g} % too small. Use at most {:.4g} s, or leave out high modes.",
                     *setup.time.step, highest / (2 * std::numbers::pi),
                     100 * (1 - 0.5 * *setup.time.step * highest / std::tan(0.5 * *setup.time.step * highest)), resolved));
+  constexpr double much = 0.1;
+  if (!setup.time.step && resolved < much * automatic)
+    warnings.push_back(
+        fmt::format("The highest mode of an elastic impactor ({:.4g} Hz) needs a time step of {:.4g} s, {:.3g} times shorter than the bodies need. "
+                    "Leave out high modes with elastic.highest_frequency.",
+                    highest / (2 * std::numbers::pi), resolved, automatic / resolved));
   return std::min(automatic, resolved);
 }
 
@@ -419,6 +425,12 @@ std::size_t Simulation::contacts() const {
 std::vector<std::string> Simulation::closing_warnings() const {
   std::vector<std::string> warnings = proximity_.warnings(bodies_, impactors_);
   for (const MovingWindow& window : windows_) std::ranges::move(window.warnings(), std::back_inserter(warnings));
+  for (const Impactor& impactor : impactors_)
+    if (impactor.unconverged_steps() > 0)
+      warnings.push_back(
+          fmt::format("In {} steps the motion of impactor {} and its contact impulses did not agree within 10 % after {} passes, so that its forces are "
+                      "inaccurate. Use a shorter time step.",
+                      impactor.unconverged_steps(), impactor.name(), fccda::Coupling::max_passes));
   return warnings;
 }
 
