@@ -62,6 +62,7 @@ class Deforming final : public SlidingSurface {
     due_blocks_.clear();
     for (std::size_t b = 0; b < points.block_count(); ++b)
       if (cache_.travel(b, points.block_travel(b) + surface_->travel())) due_blocks_.push_back(b);
+    fetch_points(points, due_blocks_, [&](std::size_t b, std::size_t i) { return cache_.is_due(b, i); });
     if (found_.size() < due_blocks_.size()) found_.resize(due_blocks_.size());
     parallel_for_uneven(static_cast<std::ptrdiff_t>(due_blocks_.size()),
                         [&](std::ptrdiff_t k) { evaluate_block(points, test, static_cast<std::size_t>(k), 0); });
@@ -82,6 +83,7 @@ class Deforming final : public SlidingSurface {
       cache_.travel(b, correction);
       if (cache_.is_near(b, way(b))) due_blocks_.push_back(b);
     }
+    fetch_points(points, due_blocks_, [&](std::size_t b, std::size_t i) { return cache_.is_due(b, i, way(b)); });
     if (found_.size() < due_blocks_.size()) found_.resize(due_blocks_.size());
     parallel_for_uneven(static_cast<std::ptrdiff_t>(due_blocks_.size()), [&](std::ptrdiff_t k) {
       const auto share = static_cast<std::size_t>(k);

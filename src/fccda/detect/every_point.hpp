@@ -16,6 +16,7 @@ namespace fccda {
 template <Points P, class Found, class Evaluate>
 void evaluate_every_point(const P& points, std::vector<Found>& found, const Evaluate& evaluate) {
   found.resize(points.block_count());
+  fetch_every_point(points);
   parallel_for_uneven(static_cast<std::ptrdiff_t>(points.block_count()), [&](std::ptrdiff_t k) {
     const auto b = static_cast<std::size_t>(k);
     found[b] = {};

@@ -4,6 +4,8 @@
 
 #include <concepts>
 #include <cstddef>
+#include <span>
+#include <vector>
 
 #include "base/vec3.hpp"
 
@@ -33,6 +35,39 @@ concept PointsOfOwnRadius = Points<P> && requires(const P& points, std::size_t i
   { points.radius(i) } -> std::convertible_to<double>;         // [m], finite and at least 0
   { points.largest_radius() } -> std::convertible_to<double>;  // [m] upper bound of all radii
 };
+
+/// Points that are kept elsewhere, such as in the memory of a GPU. Detectors ask for those that they are about to read, in ascending order and outside of
+/// parallel loops; a point that was fetched in a step is not changed by a further fetch in the same step.
+template <class P>
+concept RemotePoints = Points<P> && requires(const P& points, std::span<const std::size_t> which) {
+  { points.is_remote() } -> std::convertible_to<bool>;  // false: all of them can be read
+  points.fetch(which);
+};
+
+/// Fetches the points of these blocks for which is_read(block, point).
+template <Points P, class IsRead>
+void fetch_points(const P& points, std::span<const std::size_t> blocks, const IsRead& is_read) {
+  if constexpr (RemotePoints<P>) {
+    if (!points.is_remote()) return;
+    std::vector<std::size_t> which;
+    for (const std::size_t b : blocks)
+      for (std::size_t i = points.block_begin(b); i < points.block_end(b); ++i)
+        if (points.occupied(i) && is_read(b, i)) which.push_back(i);
+    points.fetch(which);
+  }
+}
+
+/// Fetches all points.
+template <Points P>
+void fetch_every_point(const P& points) {
+  if constexpr (RemotePoints<P>) {
+    if (!points.is_remote()) return;
+    std::vector<std::size_t> which;
+    for (std::size_t i = 0; i < points.size(); ++i)
+      if (points.occupied(i)) which.push_back(i);
+    points.fetch(which);
+  }
+}
 
 /// The contact radius of point i [m]: its own, or that of the detector.
 template <Points P>

@@ -49,6 +49,7 @@ class Swept final : public SlidingSurface {
     due_blocks_.clear();
     for (std::size_t b = 0; b < points.block_count(); ++b)
       if (cache_.travel(b, step_.approach(points.block_travel(b) + surface_travel))) due_blocks_.push_back(b);
+    fetch_points(points, due_blocks_, [&](std::size_t b, std::size_t i) { return cache_.is_due(b, i); });
     if (found_.size() < due_blocks_.size()) found_.resize(due_blocks_.size());
     parallel_for_uneven(static_cast<std::ptrdiff_t>(due_blocks_.size()),
                         [&](std::ptrdiff_t k) { evaluate_block(points, view, surface_travel, static_cast<std::size_t>(k), 0); });
@@ -69,6 +70,7 @@ class Swept final : public SlidingSurface {
       cache_.travel(b, correction);
       if (cache_.is_near(b, way(points, b, surface_travel))) due_blocks_.push_back(b);
     }
+    fetch_points(points, due_blocks_, [&](std::size_t b, std::size_t i) { return cache_.is_due(b, i, way(points, b, surface_travel)); });
     if (found_.size() < due_blocks_.size()) found_.resize(due_blocks_.size());
     parallel_for_uneven(static_cast<std::ptrdiff_t>(due_blocks_.size()), [&](std::ptrdiff_t k) {
       const auto block = static_cast<std::size_t>(k);

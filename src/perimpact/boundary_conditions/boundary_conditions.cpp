@@ -94,6 +94,28 @@ void BoundaryConditions::refuse_floating_twice(const BodySetup& body, const Part
   }
 }
 
+std::vector<std::uint32_t> BoundaryConditions::slots() const {
+  return slots_where([](const auto&) { return true; });
+}
+
+std::vector<std::uint32_t> BoundaryConditions::constrained_slots() const {
+  return slots_where([](const auto& boundary) { return std::is_same_v<std::decay_t<decltype(boundary)>, PrescribedDisplacement>; });
+}
+
+template <class IsAsked>
+std::vector<std::uint32_t> BoundaryConditions::slots_where(const IsAsked& is_asked) const {
+  std::vector<std::uint32_t> all;
+  for (const NamedBoundaryCondition& one : all_)
+    std::visit(
+        [&](const auto& boundary) {
+          if (is_asked(boundary)) all.insert(all.end(), boundary.slots().begin(), boundary.slots().end());
+        },
+        one.boundary);
+  std::sort(all.begin(), all.end());
+  all.erase(std::unique(all.begin(), all.end()), all.end());
+  return all;
+}
+
 void BoundaryConditions::set_initial_state(Particles& particles, double time, PrescribedDisplacement::Regime pace) {
   for_each([&](const PrescribedDisplacement& constraint) { constraint.set_initial_state(particles, time, pace); });
 }

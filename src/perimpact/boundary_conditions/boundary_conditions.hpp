@@ -37,6 +37,9 @@ class BoundaryConditions {
   std::span<const NamedBoundaryCondition> all() const { return all_; }
   std::span<NamedBoundaryCondition> all() { return all_; }
 
+  std::vector<std::uint32_t> slots() const;              ///< ascending; on which they act: they read and write no other particles
+  std::vector<std::uint32_t> constrained_slots() const;  ///< those with a prescribed displacement in some direction
+
   /// Sets positions and velocities of constrained particles at that time.
   void set_initial_state(Particles& particles, double time, PrescribedDisplacement::Regime pace);
 
@@ -99,6 +102,8 @@ class BoundaryConditions {
   }
   template <class Act>
   void for_each(const Act& act);
+  template <class IsAsked>
+  std::vector<std::uint32_t> slots_where(const IsAsked& is_asked) const;
   void refuse_floating_twice(const BodySetup& body, const Particles& particles) const;
   void refuse_constrained_twice(const BodySetup& body, const Particles& particles) const;
 

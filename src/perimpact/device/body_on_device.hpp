@@ -1,11 +1,11 @@
 /// A body whose advance and internal forces, with bond failure, a device computes.
 ///
-/// The host keeps the state. In each step force densities travel to the device, where particles advance; positions and velocities travel to the host,
-/// where contact and boundary conditions may change them, and back; force densities travel to the host, where other forces are added. Bonds stay on the
-/// device, and travel in steps in which some break.
+/// Positions, velocities and force densities stay on the device. What the host reads of them is brought to its arrays before, and what it changes is stated:
+/// boundary conditions, contact and outputs run on the host. Bonds stay on the device too, and travel in steps in which some break.
 #pragma once
 
 #include <cstddef>
+#include <cstdint>
 #include <memory>
 #include <span>
 
@@ -27,22 +27,43 @@ struct DeviceTraffic {
   bool operator==(const DeviceTraffic&) const = default;
 };
 
+/// Numbers of slots of a body that the host reads and changes in a step.
+struct SlotsOnHost {
+  std::size_t constrained = 0;  ///< of prescribed displacement
+  std::size_t due = 0;          ///< for which contact with impactors is evaluated; others than the loaded ones
+  std::size_t displaced = 0;    ///< by contact, of those due
+  std::size_t loaded = 0;       ///< on which boundary conditions act, with the constrained ones; all, with contact between fragments
+};
+
 class BodyOnDevice {
  public:
   /// `body`: of a deck that devices support. Its arrays keep their addresses and sizes.
-  BodyOnDevice(Device& device, const Body& body);
+  BodyOnDevice(Device& device, Body& body);
   BodyOnDevice(BodyOnDevice&&) noexcept;
   ~BodyOnDevice();
 
-  /// As advance() of the host (particles/advance.hpp).
+  /// As advance() of the host (particles/advance.hpp). Afterwards positions and velocities are current on the device alone.
   void advance(Particles& particles, double dt, std::span<double> travel);
-  /// As InternalForce::evaluate() and, if with_energy, evaluate_with_energy(), one particle at a time.
+  /// As InternalForce::evaluate() and, if with_energy, evaluate_with_energy(), one particle at a time. Afterwards force densities are current on the device
+  /// alone; bonds and energies are on the host.
   void evaluate(Body& body, double dt, bool with_energy);
-  /// To be called when the state of the body may have been changed otherwise than by contact, boundary conditions or forces of a step.
+
+  /// Brings positions, velocities and force densities to the arrays of the host, of all slots or of these, unless they are current there. Must be called
+  /// before the host reads or changes them.
+  void to_host() const;
+  void to_host(std::span<const std::uint32_t> slots) const;
+
+  /// To be called after the host has changed positions and velocities of these slots.
+  void moved_on_host(std::span<const std::uint32_t> slots);
+  /// To be called after the host has changed force densities, of any slots or of these.
+  void loaded_on_host();
+  void loaded_on_host(std::span<const std::uint32_t> slots);
+  /// To be called when the host may have changed any part of the state of the body, after to_host().
   void renew();
 
-  /// In a step in which no bond breaks, no energy is sampled and no particle comes near its yield surface: advance() and evaluate().
-  static DeviceTraffic traffic_of_step(Body& body);
+  /// In a step in which no bond breaks, no particle comes near its yield surface, and the host reads and changes these slots. Neither this step nor that
+  /// before is sampled.
+  static DeviceTraffic traffic_of_step(Body& body, const SlotsOnHost& on_host = {});
 
  private:
   std::unique_ptr<device::BodyPasses> passes_;

@@ -15,22 +15,18 @@ using fccda::byte_lanes;
 
 namespace {
 
-/// f(array) for the components of an array, without slack.
-template <class F>
-void for_each_component(const VectorArray& array, const F& f) {
-  for (const double* component : array.pointers()) f(std::span<const double>(component, array.slots()));
-}
-
 template <class Force>
 constexpr bool is_supported = std::is_same_v<Force, OrdinaryStateForce> || std::is_same_v<Force, PlasticForce>;
 
 }  // namespace
 
-BodyPasses::BodyPasses(Device& device, const Body& body)
+BodyPasses::BodyPasses(Device& device, Body& body)
     : device_(&device),
       slots_(body.particles.slots()),
       rows_(body.family.offsets().size()),
       mirrors_(device),
+      motion_(device, mirrors_, {&body.particles.position, &body.particles.velocity}),
+      forces_(device, mirrors_, {&body.particles.force_density}),
       words_(device, words_of(slots_, rows_)),
       travel_(device, travel_blocks(body.particles)),
       energy_(device, slots_),
@@ -47,18 +43,19 @@ BodyPasses::BodyPasses(Device& device, const Body& body)
   upload_bonds(body.family);
 }
 
-void BodyPasses::upload_motion(const Particles& particles) {
-  for (const VectorArray* array : {&particles.position, &particles.velocity}) for_each_component(*array, [&](auto part) { mirrors_.upload(part); });
+void BodyPasses::renew() {
+  motion_.changed_on_host();
+  forces_.changed_on_host();
+  is_renewed_ = true;
 }
 
 void BodyPasses::advance(Particles& particles, double dt, std::span<double> travel) {
-  if (is_renewed_) upload_motion(particles);
-  for_each_component(particles.force_density, [&](auto part) { mirrors_.upload(part); });
+  forces_.to_device();
+  motion_.to_device();
   const Motion motion = mirrors_.on_device(motion_of(particles, dt));
   device_->launch(AdvanceKernel{motion}, slots_);
   device_->launch(TravelKernel{motion, slots_, travel_.data()}, travel.size());
-  for (VectorArray* array : {&particles.position, &particles.velocity})
-    for (double* component : array->writable_pointers()) mirrors_.download(std::span(component, slots_));
+  motion_.changed_on_device();
   device_->download(travel.data(), travel_.data(), travel.size_bytes());
 }
 
@@ -68,7 +65,7 @@ void BodyPasses::evaluate(Body& body, double dt, bool with_energy) {
     if (const PlasticForce* plastic = body.internal.plastic()) mirrors_.upload(plastic->pressures());
     has_flowed_ = true;
   }
-  upload_motion(body.particles);
+  motion_.to_device();
   body.internal.with_kernel_and_sums([&](auto& force, SumsOfEights& sums) {
     if constexpr (is_supported<std::decay_t<decltype(force)>>) pass(force, body, dt, with_energy, sums);
   });
@@ -125,7 +122,7 @@ void BodyPasses::pass(OrdinaryStateForce& force, Body& body, double dt, bool wit
         });
     });
   });
-  download_forces(body.particles);
+  forces_.changed_on_device();
   if (is_flag_raised()) enter_broken(body.family, sums);
   const std::optional<BreakingRule>& rule = force.breaking().rule();
   if (with_energy) enter_energy(sums, rule && rule->hardening > 0 && !has_dilatation);
@@ -135,6 +132,7 @@ void BodyPasses::pass(PlasticForce& force, Body& body, double dt, bool with_ener
   force.pass_with(body.particles, body.family, {.with_energy = with_energy, .dt = dt}, [&](PlasticForce::Packs which) {
     const bool again = which == PlasticForce::Packs::affected;
     const PlasticForce::Evaluation evaluation = force.evaluation();
+    if (again) forces_.to_host(), motion_.to_host();  // as enter_return() reads them
     upload_flow(evaluation, again);
     lower_flag();
     const PlasticSlots slots = plastic_slots(evaluation, body.particles, !again || with_energy);
@@ -143,7 +141,7 @@ void BodyPasses::pass(PlasticForce& force, Body& body, double dt, bool with_ener
     if (again)
       enter_return(evaluation, slots, body.particles, dt);
     else
-      download_forces(body.particles);
+      forces_.changed_on_device();
     if (is_flag_raised()) enter_broken(body.family, sums);
     if (with_energy) enter_density(body.particles, sums);
   });
@@ -221,7 +219,7 @@ void BodyPasses::enter_stress(const PlasticForce::Evaluation& evaluation) {
   mirrors_.download(std::span(evaluation.pressure, slots_));
 }
 
-/// The forces after the last flow, and the work that they do less.
+/// The forces after the last flow, on the host too, and the work that they do less.
 void BodyPasses::enter_return(const PlasticForce::Evaluation& evaluation, const PlasticSlots& slots, Particles& particles, double dt) {
   std::array<std::vector<double>, 3> now;
   for (std::size_t c = 0; c < 3; ++c) {
@@ -240,10 +238,6 @@ void BodyPasses::enter_density(const Particles& particles, SumsOfEights& sums) {
   device_->download(density.data(), energy_.data(), density.size() * sizeof(double));
   std::fill(sums.energy.begin(), sums.energy.end(), 0.0);
   for (std::size_t slot = 0; slot < slots_; ++slot) sums.energy[slot / byte_lanes] += energy_of_pack(density[slot], particles, slot);
-}
-
-void BodyPasses::download_forces(Particles& particles) {
-  for (double* component : particles.force_density.writable_pointers()) mirrors_.download(std::span(component, slots_));
 }
 
 BondsOfSlots BodyPasses::bonds(const Family& family) const { return {words_.data(), mirrors_.at(family.offsets().data()), rows_}; }

@@ -8,6 +8,7 @@
 #include "perimpact/body/body.hpp"
 #include "perimpact/device/bonds_of_slots.hpp"
 #include "perimpact/device/device.hpp"
+#include "perimpact/device/mirrored_vectors.hpp"
 #include "perimpact/device/mirrors.hpp"
 
 namespace perimpact::device {
@@ -15,11 +16,13 @@ namespace perimpact::device {
 /// The functions are those of BodyOnDevice.
 class BodyPasses {
  public:
-  BodyPasses(Device& device, const Body& body);
+  BodyPasses(Device& device, Body& body);
 
   void advance(Particles& particles, double dt, std::span<double> travel);
   void evaluate(Body& body, double dt, bool with_energy);
-  void renew() { is_renewed_ = true; }
+  void renew();
+  MirroredVectors& motion() { return motion_; }  ///< positions and velocities
+  MirroredVectors& forces() { return forces_; }  ///< force densities
 
  private:
   void pass(OrdinaryStateForce& force, Body& body, double dt, bool with_energy, SumsOfEights& sums);
@@ -30,14 +33,12 @@ class BodyPasses {
   void enter_stress(const PlasticForce::Evaluation& evaluation);
   void enter_return(const PlasticForce::Evaluation& evaluation, const PlasticSlots& slots, Particles& particles, double dt);
   void enter_density(const Particles& particles, SumsOfEights& sums);
-  void download_forces(Particles& particles);
   BondsOfSlots bonds(const Family& family) const;
   Findings findings() const;
   void lower_flag();
   bool is_flag_raised() const;
   template <class Visit>
   void for_each_visit(const Breaking& breaking, const Body& body, const Visit& visit);
-  void upload_motion(const Particles& particles);
   void upload_bonds(const Family& family);
   void enter_broken(Family& family, SumsOfEights& sums);
   void enter_energy(SumsOfEights& sums, bool in_two_visits);
@@ -47,6 +48,7 @@ class BodyPasses {
   bool is_renewed_ = false;
   bool has_flowed_ = false;  // perhaps, since what flow changes was last uploaded
   Mirrors mirrors_;
+  MirroredVectors motion_, forces_;
   DeviceArray<std::uint32_t> words_;  // bonds
   DeviceArray<double> travel_, energy_, fracture_;
   DeviceArray<Found> found_;

@@ -4,6 +4,7 @@
 #pragma once
 
 #include <cstddef>
+#include <span>
 #include <string>
 
 #include "perimpact/device/kernels.hpp"
@@ -20,12 +21,15 @@ class Device {
   virtual void release(void* memory) noexcept = 0;
   virtual void upload(void* to, const void* from, std::size_t bytes) = 0;    ///< from the host
   virtual void download(void* to, const void* from, std::size_t bytes) = 0;  ///< to the host; completed on return
+  /// To be called when the device has later values of these numbers of the host, which must be downloaded before they are read. Nothing on a GPU; the
+  /// emulation overwrites them.
+  virtual void outdate(std::span<double>) {}
   /// Calls the kernel for threads 0 … threads - 1, in any order.
   virtual void launch(const device::Kernel& kernel, std::size_t threads) = 0;
 };
 
 /// Version of Device and of the kernels: of the program and the library, which must agree.
-constexpr int device_version = 1;
+constexpr int device_version = 2;
 
 /// The function by which the library opens the first device. Returns a new object; nullptr if the library has another version, or with a reason if there is
 /// no device.

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <cstring>
+#include <limits>
 #include <new>
 #include <numeric>
 #include <random>
@@ -61,6 +62,8 @@ void EmulatedDevice::download(void* to, const void* from, std::size_t bytes) {
   std::memcpy(to, from, bytes);
   copied_.downloaded += bytes;
 }
+
+void EmulatedDevice::outdate(std::span<double> of_host) { std::fill(of_host.begin(), of_host.end(), std::numeric_limits<double>::quiet_NaN()); }
 
 void EmulatedDevice::launch(const device::Kernel& kernel, std::size_t threads) {
   std::vector<std::size_t> blocks((threads + threads_of_block - 1) / threads_of_block);

@@ -3,13 +3,15 @@
 
 #include <cstdint>
 #include <map>
+#include <span>
 #include <vector>
 
 #include "perimpact/device/device.hpp"
 
 namespace perimpact {
 
-/// Its memory is memory of its own, and begins as bytes of ones (NaN), so that what is not uploaded is noticed. Kernels run block by block, in an order of
+/// Its memory is memory of its own, and begins as bytes of ones (NaN), so that what is not uploaded is noticed; and what is not downloaded is noticed since
+/// outdated numbers of the host become NaN. Kernels run block by block, in an order of
 /// blocks and of the threads of a block that changes with each launch, so that what depends on the order of threads is noticed too.
 class EmulatedDevice : public Device {
  public:
@@ -24,6 +26,7 @@ class EmulatedDevice : public Device {
   void release(void* memory) noexcept override;
   void upload(void* to, const void* from, std::size_t bytes) override;
   void download(void* to, const void* from, std::size_t bytes) override;
+  void outdate(std::span<double> of_host) override;
   void launch(const device::Kernel& kernel, std::size_t threads) override;
 
   struct Copied {

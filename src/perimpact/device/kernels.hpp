@@ -13,6 +13,7 @@
 #include "base/host_device.hpp"
 #include "base/typelist.hpp"
 #include "perimpact/device/elastic_kernels.hpp"
+#include "perimpact/device/list_kernels.hpp"
 #include "perimpact/device/plastic_device_kernels.hpp"
 #include "perimpact/force/correction_kernels.hpp"
 #include "perimpact/particles/advance.hpp"
@@ -40,7 +41,7 @@ struct TravelKernel {
 };
 
 /// All kernels.
-using Kernel = fccda::JoinedVariant<AdvanceKernel, TravelKernel, PressedStrengthKernel, ElasticKernels<NoCorrections>,
+using Kernel = fccda::JoinedVariant<AdvanceKernel, TravelKernel, GatherKernel, ScatterKernel, PressedStrengthKernel, ElasticKernels<NoCorrections>,
                                     ElasticKernels<Corrections<EnergyFactor, EnergyFactor>>, ElasticKernels<Corrections<VolumeFactor, VolumeFactor>>,
                                     ElasticKernels<Corrections<FamilyFactor, PlainBonds, true>>, PlasticKernels<NoCorrections>,
                                     PlasticKernels<Corrections<EnergyFactor, EnergyFactor>>, PlasticKernels<Corrections<VolumeFactor, VolumeFactor>>>;

@@ -2,7 +2,10 @@
 #pragma once
 
 #include <algorithm>
+#include <cstdint>
+#include <functional>
 #include <span>
+#include <utility>
 #include <vector>
 
 #include "perimpact/particles/advance.hpp"
@@ -13,8 +16,15 @@ namespace perimpact {
 /// Point i is slot i. Positions are at the end of the step, velocities those of the step.
 class ContactParticles {
  public:
-  /// `travel`: of advance() for this step.
-  ContactParticles(Particles& particles, std::span<const double> travel, double dt) : particles_(particles), travel_(travel), dt_(dt) {}
+  /// Brings positions, velocities and force densities of these slots to the arrays of the host.
+  using Fetch = std::function<void(std::span<const std::uint32_t> slots)>;
+
+  /// `travel`: of advance() for this step. `fetch`: of particles on a device; empty for others.
+  ContactParticles(Particles& particles, std::span<const double> travel, double dt, Fetch fetch = {})
+      : particles_(particles), travel_(travel), dt_(dt), fetch_(std::move(fetch)) {}
+
+  bool is_remote() const { return static_cast<bool>(fetch_); }
+  void fetch(std::span<const std::size_t> slots) const { fetch_(std::vector<std::uint32_t>(slots.begin(), slots.end())); }
 
   std::size_t size() const { return particles_.slots(); }
   bool occupied(std::size_t slot) const { return particles_.owns(slot); }
@@ -44,6 +54,13 @@ class ContactParticles {
     particles_.velocity.set(slot, velocity);
   }
 
+  /// Slots that differ from before contact, since the latest undo(); in the order of the changes, perhaps repeatedly.
+  std::vector<std::uint32_t> changed() const {
+    std::vector<std::uint32_t> slots;
+    for (const Before& set : before_) slots.push_back(static_cast<std::uint32_t>(set.slot));
+    return slots;
+  }
+
   /// Reverts all changes, and calls visit(slot) for each.
   template <class Visit>
   void undo(const Visit& visit) {
@@ -64,6 +81,7 @@ class ContactParticles {
   Particles& particles_;
   std::span<const double> travel_;
   double dt_;
+  Fetch fetch_;
   std::vector<Before> before_;  // in order of the changes
 };
 

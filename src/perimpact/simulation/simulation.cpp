@@ -5,6 +5,8 @@
 #include <iterator>
 #include <limits>
 #include <numbers>
+#include <span>
+#include <utility>
 
 #include <fmt/format.h>
 
@@ -213,9 +215,10 @@ Simulation::Simulation(const Setup& setup, Start start, std::vector<UserForceOnB
       monitors_(output_of(setup, clock_.dt), bodies_, clock_) {
   for (const Body& body : bodies_) travel_.emplace_back(travel_blocks(body.particles), 0.0);
   expect_solid_bodies(bodies_, impactors_);
-  for (Body& body : bodies_) {
-    if (processor_.is_scalar) body.internal.use_scalar_kernel();
-    if (processor_.device) on_device_.emplace_back(*processor_.device, body);
+  for (std::size_t b = 0; b < bodies_.size(); ++b) {
+    if (processor_.is_scalar) bodies_[b].internal.use_scalar_kernel();
+    if (processor_.device)
+      on_device_.push_back({BodyOnDevice(*processor_.device, bodies_[b]), boundary_conditions_[b].constrained_slots(), boundary_conditions_[b].slots()});
   }
   stages_.begin("diagnostics");
   const auto warn = [&](std::vector<std::string> sentences) { std::ranges::move(sentences, std::back_inserter(warnings_)); };
@@ -314,18 +317,26 @@ void Simulation::rebuild(const MovingWindow& window) {
 
 void Simulation::advance_bodies() {
   for (std::size_t b = 0; b < bodies_.size(); ++b) {
-    if (processor_.device)
-      on_device_[b].advance(bodies_[b].particles, clock_.dt, travel_[b]);
-    else
+    OnDevice* const device = on_device(b);
+    if (device) {
+      device->body.advance(bodies_[b].particles, clock_.dt, travel_[b]);
+      device->body.to_host(device->constrained);
+    } else {
       advance(bodies_[b].particles, clock_.dt, travel_[b]);
+    }
     boundary_conditions_[b].impose_displacements(bodies_[b].particles, clock_.latest(), travel_[b]);
+    if (device) device->body.moved_on_host(device->constrained);
   }
 }
 
 void Simulation::resolve_impactor_contact() {
   for (Impactor& impactor : impactors_) impactor.advance(clock_.latest());
   std::vector<ContactParticles> particles;
-  for (std::size_t b = 0; b < bodies_.size(); ++b) particles.emplace_back(bodies_[b].particles, travel_[b], clock_.dt);
+  for (std::size_t b = 0; b < bodies_.size(); ++b) {
+    ContactParticles::Fetch fetch;
+    if (OnDevice* const device = on_device(b)) fetch = [device](std::span<const std::uint32_t> slots) { device->body.to_host(slots); };
+    particles.emplace_back(bodies_[b].particles, travel_[b], clock_.dt, std::move(fetch));
+  }
   std::vector<std::vector<std::size_t>> unresolved(bodies_.size());  // of each impactor
   // The motion of impactors depends on their contact impulses (docs/theory/contact_response.md, "One velocity"), hence the passes.
   for (int pass = 1;; ++pass) {
@@ -345,6 +356,7 @@ void Simulation::resolve_impactor_contact() {
       const auto all = may_remain ? ranks_->sum(static_cast<std::int64_t>(unresolved[b][i])) : static_cast<std::int64_t>(unresolved[b][i]);
       impactors_[i].record_unresolved(b, static_cast<std::size_t>(all), clock_.time());
     }
+    if (OnDevice* const device = on_device(b)) device->body.moved_on_host(particles[b].changed());  // among them all that are reimposed
     for (const std::uint32_t slot : boundary_conditions_[b].reimpose_after_contact(bodies_[b].particles, clock_.latest()))
       for (Impactor& impactor : impactors_) impactor.put_back(b, slot);
   }
@@ -367,8 +379,8 @@ void Simulation::compute_bond_forces() {
   for (std::size_t b = 0; b < bodies_.size(); ++b) {
     Body& body = bodies_[b];
     const bool with_energy = monitors_.samples_step(clock_);
-    if (processor_.device) {
-      on_device_[b].evaluate(body, dt, with_energy);
+    if (OnDevice* const device = on_device(b)) {
+      device->body.evaluate(body, dt, with_energy);
       if (with_energy) monitors_.elastic_energy()[b] = body.internal.elastic_energy();
     } else if (with_energy) {
       monitors_.elastic_energy()[b] = body.internal.evaluate_with_energy(body.particles, body.family, dt);
@@ -380,14 +392,20 @@ void Simulation::compute_bond_forces() {
 }
 
 void Simulation::add_short_range_forces() {
-  if (fragments_) fragments_->add_forces(contacting_bodies(setup_, bodies_), clock_.step > 0 ? clock_.dt : 0);
+  if (!fragments_) return;
+  bring_to_host();
+  fragments_->add_forces(contacting_bodies(setup_, bodies_), clock_.step > 0 ? clock_.dt : 0);
+  for (OnDevice& one : on_device_) one.body.loaded_on_host();
 }
 
 void Simulation::apply_boundary_conditions() {
   for (std::size_t b = 0; b < bodies_.size(); ++b) {
     Body& body = bodies_[b];
+    OnDevice* const device = on_device(b);
+    if (device) device->body.to_host(device->loaded);
     boundary_conditions_[b].update_exposed_surface(body.particles, body.family, body.internal.broken_ends());
     boundary_conditions_[b].add_forces(body.particles, clock_.next());
+    if (device) device->body.loaded_on_host(device->loaded);
   }
 }
 
@@ -409,6 +427,7 @@ void Simulation::end_load_interval() {
 }
 
 void Simulation::sample_monitors() {
+  bring_to_host();
   const double row_before = monitors_.row_time();
   monitors_.watch({bodies_, boundary_conditions_, impactors_, clock_, fragments_, windows_, relaxation_ ? &relaxation_->latest() : nullptr});
   if (monitors_.is_due(clock_))

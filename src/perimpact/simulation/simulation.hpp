@@ -1,6 +1,8 @@
 /// Simulation, built from a Setup and advanced step by step. It writes no output; writers read its state between steps.
 #pragma once
 
+#include <cstddef>
+#include <cstdint>
 #include <functional>
 #include <optional>
 #include <span>
@@ -67,7 +69,10 @@ class Simulation {
   double seconds_of_forces() const;                                                                   ///< [s] in the phases of force, without waiting for ranks
   const fccda::Timers& set_up_timers() const { return stages_.timers(); }                             ///< of the stages of the set-up
   std::span<const InitialPenetration> initial_penetrations() const { return initial_penetrations_; }  ///< removed, or projected onto a surface
-  std::span<const Body> bodies() const { return bodies_; }
+  std::span<const Body> bodies() const {                                                              ///< valid until the next step
+    bring_to_host();
+    return bodies_;
+  }
   const std::optional<FilledMass>& filled_mass(std::size_t body) const { return filled_masses_[body]; }
   std::span<const BoundaryConditions> boundary_conditions() const { return boundary_conditions_; }  ///< of each body
   std::span<const Impactor> impactors() const { return impactors_; }
@@ -85,6 +90,7 @@ class Simulation {
   /// identically.
   template <class Visitor>
   void visit_state(Visitor&& visit) {
+    bring_to_host();
     visit("step", clock_.step);
     for (MovingWindow& window : windows_) {
       const std::array<int, 3> first = window.first();
@@ -92,7 +98,7 @@ class Simulation {
       if (window.first() != first) rebuild(window);  // a restart: what follows belongs to the body there
     }
     visit_parts(visit);
-    for (BodyOnDevice& body : on_device_) body.renew();  // the visitor may write
+    for (OnDevice& one : on_device_) one.body.renew();  // the visitor may write
   }
   std::uint64_t state_hash();  ///< of the whole state; the same for any number of ranks and threads. Collective.
 
@@ -136,6 +142,17 @@ class Simulation {
     if (fragments_) fragments_->visit_state(contacting_bodies(setup_, bodies_), fccda::under("fragments", visit));
     if (relaxation_) relaxation_->visit_state(fccda::under("relaxation", visit));
   }
+  /// A body on a device, and the slots on which its boundary conditions act, which run on the host.
+  struct OnDevice {
+    BodyOnDevice body;
+    std::vector<std::uint32_t> constrained, loaded;
+  };
+  /// Null without a device.
+  OnDevice* on_device(std::size_t body) { return on_device_.empty() ? nullptr : &on_device_[body]; }
+  /// Must be called before the host reads particles of any slots. Without a device they are there.
+  void bring_to_host() const {
+    for (const OnDevice& one : on_device_) one.body.to_host();
+  }
   void move_windows();
   void move_window(MovingWindow& window, long moves);
   void rebuild(const MovingWindow& window);
@@ -161,7 +178,7 @@ class Simulation {
   std::vector<Body> bodies_;
   std::vector<BoundaryConditions> boundary_conditions_;  // of each body
   Processor processor_;
-  std::vector<BodyOnDevice> on_device_;  // of each body, if there is a device
+  std::vector<OnDevice> on_device_;  // each body, if there is a device
   std::optional<ShortRange> fragments_;
   Stability stability_;
   Clock clock_;  // counts increments with time.relax

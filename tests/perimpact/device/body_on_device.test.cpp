@@ -3,7 +3,9 @@
 #include <doctest/doctest.h>
 
 #include <algorithm>
+#include <cstdint>
 #include <map>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -60,11 +62,11 @@ std::vector<fixtures::NamedOptions> with_failure(const fixtures::NamedOptions& o
 
 /// A force as of a boundary condition, and a relocation as by contact.
 void add_force_of_host(Particles& particles) {
-  const std::size_t slot = particles.slot_of().back();
+  const std::uint32_t slot = particles.slot_of().back();
   particles.force_density.set(slot, particles.force_density.at(slot) + Vec3d{1e12, 0, 0});
 }
 void move_by_host(Particles& particles) {
-  const std::size_t slot = particles.slot_of().front();
+  const std::uint32_t slot = particles.slot_of().front();
   particles.position.set(slot, particles.position.at(slot) + Vec3d{1e-7, 0, 0});
   particles.velocity.set(slot, 0.5 * particles.velocity.at(slot));
 }
@@ -93,13 +95,23 @@ TEST_CASE("device: state, energies and travel are bitwise those of the scalar ke
           on_host.internal.evaluate(on_host.particles, on_host.family, dt);
         on_device.evaluate(body, dt, with_energy);
         CHECK(body.internal.elastic_energy() == on_host.internal.elastic_energy());
-        CHECK(numbers_of(body) == numbers_of(on_host));
+        const bool reads_all = step % 3 == 0;
+        if (reads_all) {
+          on_device.to_host();
+          CHECK(numbers_of(body) == numbers_of(on_host));
+        }
+        const std::uint32_t loaded[] = {body.particles.slot_of().back()}, moved[] = {body.particles.slot_of().front()};
+        on_device.to_host(loaded);
         for (Body* each : {&body, &on_host}) add_force_of_host(each->particles);
+        on_device.loaded_on_host(loaded);
         advance(on_host.particles, dt, travel_of_host);
         on_device.advance(body.particles, dt, travel);
         CHECK(travel == travel_of_host);
+        on_device.to_host(moved);
         for (Body* each : {&body, &on_host}) move_by_host(each->particles);
+        on_device.moved_on_host(moved);
       }
+      on_device.to_host();
       CHECK(numbers_of(body) == numbers_of(on_host));
       broken += body.internal.broken_bonds();
       ++cases;
@@ -126,17 +138,20 @@ TEST_CASE("device: ice that yields, loses its cohesion and breaks has bitwise th
       BodyOnDevice on_device(device, body);
       for (int step = 1; step <= 6; ++step) {
         const double e = (step < 5 ? 1 : -2) * step * 1e-3;  // at last in tension
+        on_device.to_host();
         for (Body* each : {&on_host, &body}) {
           fixtures::strain_uniformly(*each, {-e, 0.5 * e, -0.2 * e, 0.1 * e, 0, 0.3 * e});
           fixtures::shake(*each, 2e-4 * fixtures::spacing, static_cast<unsigned>(step));
           for (const std::uint32_t slot : each->particles.slot_of()) each->particles.velocity.set(slot, 10 * each->particles.displacement(slot));
         }
+        on_device.moved_on_host(body.particles.slot_of());
         const bool with_energy = step % 2 == 0;
         if (with_energy)
           on_host.internal.evaluate_with_energy(on_host.particles, on_host.family, 1e-4);
         else
           on_host.internal.evaluate(on_host.particles, on_host.family, 1e-4);
         on_device.evaluate(body, 1e-4, with_energy);
+        on_device.to_host();
         CHECK(body.internal.elastic_energy() == on_host.internal.elastic_energy());
         CHECK(numbers_of(body) == numbers_of(on_host));
       }
@@ -156,15 +171,35 @@ TEST_CASE("device: what travels in a step is what traffic_of_step says, of elast
   Body bodies[] = {fixtures::body({.critical_stretch = 1.0}), fixtures::ice({.critical_stretch = 1.0}),
                    fixtures::ice({.poissons_ratio = 0.33, .critical_stretch = 1.0})};
   for (Body& body : bodies) {
-    EmulatedDevice device;
-    BodyOnDevice on_device(device, body);
-    std::vector<double> travel(travel_blocks(body.particles));
-    on_device.evaluate(body, 0, false);
-    const EmulatedDevice::Copied before = device.copied();
-    on_device.advance(body.particles, dt, travel);
-    on_device.evaluate(body, dt, false);
-    const DeviceTraffic copied{device.copied().uploaded - before.uploaded, device.copied().downloaded - before.downloaded};
-    CHECK(copied == BodyOnDevice::traffic_of_step(body));
+    const std::size_t all = body.particles.slots();
+    for (const SlotsOnHost& on_host :
+         {SlotsOnHost{}, SlotsOnHost{.due = 30, .displaced = 5}, SlotsOnHost{.constrained = 12, .due = 30, .displaced = 5, .loaded = 20},
+          SlotsOnHost{.due = 30, .displaced = 5, .loaded = all}, SlotsOnHost{.constrained = 12, .due = 30, .loaded = all}}) {
+      CAPTURE(on_host.loaded);
+      EmulatedDevice device;
+      BodyOnDevice on_device(device, body);
+      std::vector<double> travel(travel_blocks(body.particles));
+      std::vector<std::uint32_t> loaded(on_host.loaded), due;
+      for (std::uint32_t n = 0; n < loaded.size(); ++n) loaded[n] = n;
+      for (std::uint32_t n = 0; n < on_host.due; ++n) due.push_back(100 + n);
+      const auto constrained = std::span<const std::uint32_t>(loaded).first(on_host.constrained);
+      const auto step = [&] {  // as Simulation::perform_step()
+        on_device.advance(body.particles, dt, travel);
+        on_device.to_host(constrained);
+        on_device.moved_on_host(constrained);
+        on_device.to_host(due);
+        on_device.moved_on_host(std::span<const std::uint32_t>(due).first(on_host.displaced));
+        on_device.evaluate(body, dt, false);
+        on_device.to_host(loaded);
+        on_device.loaded_on_host(loaded);
+      };
+      on_device.evaluate(body, 0, false);
+      step();
+      const EmulatedDevice::Copied before = device.copied();
+      step();
+      const DeviceTraffic copied{device.copied().uploaded - before.uploaded, device.copied().downloaded - before.downloaded};
+      CHECK(copied == BodyOnDevice::traffic_of_step(body, on_host));
+    }
   }
 }
 
@@ -176,6 +211,7 @@ TEST_CASE("device: after renew() it continues from a state that the host has cha
   BodyOnDevice on_device(device, body);
   on_device.evaluate(body, dt, false);
   std::vector<double> travel(travel_blocks(body.particles));
+  on_device.to_host();
   for (Body* one : {&body, &other}) {
     std::fill_n(one->family.bytes(one->particles.slot_of().front() / 8), one->family.offsets().size(), std::uint8_t{0});
     fixtures::shake(*one, 1e-6, 9);
@@ -183,11 +219,13 @@ TEST_CASE("device: after renew() it continues from a state that the host has cha
   other.internal.evaluate(other.particles, other.family, dt);
   on_device.renew();
   on_device.evaluate(body, dt, false);
+  on_device.to_host();
   CHECK(body.particles.force_density.at(body.particles.slot_of().front()) == other.particles.force_density.at(other.particles.slot_of().front()));
   on_device.renew();
   for (Body* one : {&body, &other}) fixtures::shake(*one, 1e-6, 10);
   on_device.advance(body.particles, dt, travel);
   advance(other.particles, dt, travel);
+  on_device.to_host();
   for (const std::uint32_t slot : body.particles.slot_of()) CHECK(body.particles.position.at(slot) == other.particles.position.at(slot));
 }
 

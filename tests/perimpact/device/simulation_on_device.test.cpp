@@ -1,0 +1,208 @@
+// Whole simulations on the emulated device. Most steps are not sampled, so that particles stay on the device, and the emulation makes numbers that the host
+// reads there without having fetched them NaN.
+#include <doctest/doctest.h>
+
+#include <cstdint>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "fixtures/temporary_folder.hpp"
+#include "perimpact/bodies.hpp"
+#include "perimpact/device/emulated_device.hpp"
+#include "perimpact/elastic_modes.hpp"
+#include "perimpact/rank_scenes.hpp"
+#include "perimpact/simulation/simulation.hpp"
+#include "perimpact/simulations.hpp"
+
+namespace perimpact {
+
+namespace {
+
+constexpr int steps = 200;  // of which every second is sampled, a hundredth of the run
+
+/// The end of rank_scenes' plate, under its cylinder.
+Setup plate(const fixtures::BodyOptions& options = {.critical_stretch = 2e-3}) {
+  Setup setup = fixtures::struck_plate(options);
+  setup.bodies[0].shape = BoxSolid{{0.036, 0.022, 0.006}};
+  setup.impactors[0].position.y = 0.0261;
+  setup.time = {.end = 12e-6, .step = 12e-6 / steps};
+  setup.output.history_interval = setup.time.end / 4;
+  return setup;
+}
+
+SolidSetup box(const char* name, const Vec3d& size, const Vec3d& position) {
+  SolidSetup solid;
+  solid.name = name, solid.shape = BoxSolid{size}, solid.position = position;
+  return solid;
+}
+
+/// Held at its left end and guided at the edge that the cylinder strikes, while its lower edge is pulled down.
+Setup constrained_plate() {
+  Setup setup = plate();
+  BodySetup& body = setup.bodies[0];
+  body.particle_sets = {box("left", {0.005, 1, 1}, {-0.018, 0, 0}), box("top", {0.026, 0.005, 1}, {0.004, 0.011, 0}),
+                        box("bottom", {0.026, 0.005, 1}, {0.004, -0.011, 0})};
+  DisplacementSetup down;
+  down.velocity = -2;
+  body.boundary_conditions = {{"grip", FixedSetup{.particle_set = "left"}},
+                              {"guide", FixedSetup{.particle_set = "top", .directions = {"x"}}},
+                              {"pull", PrescribedSetup{.particle_set = "bottom", .y = down}}};
+  return setup;
+}
+
+/// Under a pressure and with an absorbing end; `weight`: also under a body force on all particles.
+Setup loaded_plate(bool weight) {
+  Setup setup = plate();
+  BodySetup& body = setup.bodies[0];
+  body.particle_sets = {box("right", {0.009, 1, 1}, {0.018, 0, 0})};
+  body.boundary_conditions = {{"push", PressureSetup{.face = Choice{face_words, 1}, .value = 2e8}},
+                              {"sink", AbsorbingSetup{.particle_set = "right", .face = Choice{face_words, 0}}}};
+  if (weight) body.boundary_conditions.push_back({"weight", BodyForceSetup{.force_density = {0, -1e9, 0}}});
+  return setup;
+}
+
+/// A sheet of ice with a dry top, drag and added mass, held at one end, under a falling ball.
+Setup floating_sheet() {
+  BodySetup sheet = fixtures::body_setup({.size = {1.6, 1.0, 0.4}, .spacing = 0.1});
+  BondBasedSetup ice;
+  ice.youngs_modulus = 1.8e9, ice.density = 900, ice.critical_stretch = 2e-4;
+  sheet.material = ice;
+  sheet.particle_sets = {box("left", {0.4, 3, 1}, {-0.7, 0, 0})};
+  FloatingSetup water;
+  water.drag = 1, water.damping = 2, water.entrained_depth = 0.1, water.dry_top = 0.1;
+  sheet.boundary_conditions = {{"water", water}, {"edge", FixedSetup{.particle_set = "left"}}};
+  Setup setup;
+  setup.time = {.end = 4e-3, .step = 4e-3 / steps};
+  setup.output.history_interval = 1e-3;
+  setup.bodies = {sheet};
+  ImpactorSetup ball;
+  ball.name = "ball";
+  ball.surface = SphereSurface{.diameter = 0.8, .edge_length = 0.1};
+  ball.mass = 500;
+  ball.position = {-0.4, 0.1, 0.601};
+  ball.velocity = {0, 0, -10};
+  ball.free_dofs = {"z"};
+  setup.impactors = {ball};
+  return setup;
+}
+
+struct Result {
+  std::vector<std::vector<double>> rows;
+  std::uint64_t hash = 0;
+  std::size_t contacts = 0, broken_bonds = 0;
+};
+
+Result run(Simulation& simulation) {
+  Result result;
+  while (!simulation.clock().is_finished()) {
+    simulation.step();
+    result.contacts += simulation.contacts();
+    if (simulation.monitors().is_due(simulation.clock())) result.rows.emplace_back(simulation.monitors().row().begin(), simulation.monitors().row().end());
+  }
+  for (const Body& body : simulation.bodies()) result.broken_bonds += body.internal.broken_bonds();
+  result.hash = simulation.state_hash();
+  return result;
+}
+
+/// Checks that a device computes bitwise what the scalar kernel computes. Returns that.
+Result expect_same(const Setup& setup, const std::vector<UserForceOnBody>& user_forces = {}) {
+  Simulation on_host(setup, Start(setup), user_forces, {.is_scalar = true});
+  const Result expected = run(on_host);
+  EmulatedDevice device;
+  Simulation on_device(setup, Start(setup), user_forces, {.device = &device});
+  const Result found = run(on_device);
+  CHECK(found.rows == expected.rows);
+  CHECK(found.hash == expected.hash);
+  CHECK(found.contacts == expected.contacts);
+  CHECK(found.broken_bonds == expected.broken_bonds);
+  return expected;
+}
+
+}  // namespace
+
+TEST_CASE("simulation on a device: an impacted plate is bitwise that of the scalar kernel, with every detector, with several impactors and an elastic one") {
+  const ::fixtures::TemporaryFolder folder;
+  for (const char* what : {"swept", "analytic", "published", "two impactors", "elastic"}) {
+    CAPTURE(what);
+    Setup setup = plate();
+    if (const std::string_view name(what); name == "analytic" || name == "published") {
+      setup.contact.impactors.detector = Choice{detector_words, static_cast<int>(name == "analytic" ? DetectorKind::analytic : DetectorKind::published)};
+    } else if (name == "two impactors") {
+      ImpactorSetup beside = setup.impactors[0];
+      beside.name = "beside", beside.position.x += 0.011, beside.velocity.x = -30;
+      setup.impactors.push_back(beside);
+    } else if (name == "elastic") {
+      setup.impactors[0].angular_velocity = {};
+      fixtures::make_elastic(setup.impactors[0], folder / "modes.csv");
+    }
+    const Result result = expect_same(setup);
+    CHECK(result.contacts > 100);
+    CHECK(result.broken_bonds > 0);
+  }
+}
+
+TEST_CASE("simulation on a device: every boundary condition, also where contact displaces constrained particles, is bitwise that of the scalar kernel") {
+  for (const Setup& setup : {constrained_plate(), loaded_plate(false), loaded_plate(true), floating_sheet()}) {
+    const Result result = expect_same(setup);
+    CHECK(result.contacts > 100);
+    CHECK(result.broken_bonds > 0);
+  }
+}
+
+TEST_CASE("simulation on a device: user forces, material that yields, and contact between fragments are bitwise those of the scalar kernel") {
+  const auto spring = [](double, const Body& body, VectorArray& density) {
+    for (const std::uint32_t slot : body.particles.slot_of()) density.set(slot, -1e15 * body.particles.displacement(slot));
+  };
+  CHECK(expect_same(plate(), {{0, "spring", spring}}).contacts > 100);
+  Setup yielding = plate({.critical_stretch = 4e-3});
+  std::get<OrdinaryStateSetup>(yielding.bodies[0].material).plasticity.emplace().compressive_strength = 400e6;
+  CHECK(expect_same(yielding).contacts > 100);
+  Setup rubble = fixtures::rubble({.critical_stretch = 2e-3, .plane = Plane::strain});
+  rubble.time = {.end = 8e-6, .step = 8e-6 / steps};
+  rubble.output.history_interval = 4e-6;
+  CHECK(expect_same(rubble).broken_bonds > 100);
+}
+
+TEST_CASE("simulation on a device: in a step without contact and samples only the particles of boundary conditions travel, and none without any") {
+  for (const bool is_bounded : {false, true}) {
+    Setup setup = is_bounded ? constrained_plate() : plate();
+    setup.impactors[0].position.y += 1;
+    constexpr int steps_between_samples = 4;
+    setup.time.step = setup.time.end / (100 * steps_between_samples);
+    Body body = make_body(setup.bodies[0]);
+    EmulatedDevice device;
+    Simulation simulation(setup, Start(setup), {}, {.device = &device});
+    SlotsOnHost on_host;
+    for (const NamedBoundaryCondition& one : simulation.boundary_conditions()[0].all()) on_host.constrained += one.particles();
+    on_host.loaded = on_host.constrained;
+    CHECK((on_host.loaded > 0) == is_bounded);
+    for (int step = 1; step < 3 * steps_between_samples; ++step) {
+      const EmulatedDevice::Copied before = device.copied();
+      simulation.step();
+      const DeviceTraffic copied{device.copied().uploaded - before.uploaded, device.copied().downloaded - before.downloaded};
+      if (step % steps_between_samples < 2) continue;  // sampled, or after it
+      CAPTURE(step);
+      CHECK(copied == BodyOnDevice::traffic_of_step(body, on_host));
+      CHECK(copied.downloaded < 48 * body.particles.slots() / (is_bounded ? 2 : 50));
+    }
+  }
+}
+
+TEST_CASE("simulation on a device: what it gives after any step is current") {
+  Setup setup = plate();
+  EmulatedDevice device;
+  Simulation simulation(setup, Start(setup), {}, {.device = &device}), on_host(setup, Start(setup), {}, {.is_scalar = true});
+  for (int step = 1; step <= 8; ++step) {
+    simulation.step();
+    on_host.step();
+    const Particles &found = simulation.bodies()[0].particles, &expected = on_host.bodies()[0].particles;
+    for (const std::uint32_t slot : expected.slot_of()) {
+      CHECK(found.position.at(slot) == expected.position.at(slot));
+      CHECK(found.velocity.at(slot) == expected.velocity.at(slot));
+      CHECK(found.force_density.at(slot) == expected.force_density.at(slot));
+    }
+  }
+}
+
+}  // namespace perimpact
