@@ -246,8 +246,8 @@ TEST_CASE("deforming response: a point sticks where its push bears the friction,
   REQUIRE(contacts.size() == 2);
   std::vector<Vec3d> impulses(4);
   respond(
-      points, contacts, dt, 0.5, [](std::size_t) { return 1 / 0.1; }, impulses);
-  CHECK(points.v[1].z < -6);  // the sheet retreats before the heavy point: less than a quarter of the push on the light one is left
+      points, contacts, dt, 0.5, [](std::size_t) { return 1 / 0.3; }, impulses);
+  CHECK(points.v[1].z < -4);  // the sheet retreats before the heavy point: less than half of the push on the light one is left
   CHECK(std::fabs(points.v[1].x) < 0.1 * slide);
 }
 
