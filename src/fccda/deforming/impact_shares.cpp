@@ -84,8 +84,7 @@ std::vector<ImpactShare> impact_shares(std::span<const PanelImpact> impacts) {
     for (std::size_t c = 0; c < impacts.size(); ++c) {
       if (!impacts[c].is_pushed) continue;
       change = std::max(change, push[c].set(std::max(push[c].wanted(vertices), 0.0), vertices));
-      if (impacts[c].friction.change > 0)
-        change = std::max(change, friction[c].set(std::clamp(friction[c].wanted(vertices), 0.0, impacts[c].friction_limit * push[c].share), vertices));
+      if (impacts[c].friction.change > 0) change = std::max(change, friction[c].set(std::clamp(friction[c].wanted(vertices), 0.0, push[c].share), vertices));
     }
     if (change <= tolerance * largest) break;
   }

@@ -6,7 +6,7 @@
 ///
 ///   s_k d_k - n_k·w_k = d_k           or, where the panel retreats faster,                  s_k = 0
 ///   r_k |Δt_k| - t_k·w_k = |Δt_k|     or, where the panel moves along with the point,       r_k = 0,
-///                                     or, as friction is limited by the push,               r_k |Δt_k| = µ s_k d_k
+///                                     or, as friction diminishes with the push,             r_k = s_k
 ///
 /// For a single point contact this is s = r = 1/(1 + m W), W = Σ w_i²/M_i. In general it is a linear complementarity problem, solved by projected Gauss-Seidel
 /// sweeps (Cottle, Pang and Stone, The Linear Complementarity Problem, 1992, section 5.2). w_k is the velocity on which the impulse of the point does work,
@@ -37,7 +37,6 @@ struct PanelImpact {
   bool is_pushed = false;                  ///< along the panel's normal
   Part push;                               ///< d, n
   Part friction;                           ///< |Δt|, t
-  double friction_limit = 1;               ///< µ d/|Δt|, at least 1: where it is above, the point sticks to an unyielding panel
 };
 
 /// What is left of the change of a velocity where the panel yields.

@@ -8,7 +8,6 @@
 /// Linear momentum of points and vertices is conserved, and the angular one with the positions at t1 (vertex_impulse.hpp).
 #pragma once
 
-#include <algorithm>
 #include <array>
 #include <span>
 #include <vector>
@@ -41,21 +40,19 @@ inline PanelImpulse resolved(const DeformingContact& contact, const Vec3d& posit
 }
 
 /// What impact_shares() needs of one contact, besides masses of vertices. `frictionless` [m/s]: velocity of the point after contact without friction.
-inline PanelImpact panel_impact(const DeformingContact& contact, double mass, const Vec3d& before, const Vec3d& frictionless, const Resolved& after,
-                                double friction) {
+inline PanelImpact panel_impact(const DeformingContact& contact, double mass, const Vec3d& before, const Vec3d& frictionless, const Resolved& after) {
   const auto part = [&](const Vec3d& change) {
     const double speed = norm(change);
     if (!(speed > 0)) return PanelImpact::Part();
     const Vec3d direction = change / speed;
     return PanelImpact::Part{speed, direction, vertex_impulses(direction, after.position, contact.place.corners, contact.place.weights)};
   };
-  const Vec3d push = frictionless - before, drag = after.velocity - frictionless;
+  const Vec3d push = frictionless - before;
   return {.vertices = contact.place.vertices,
           .mass = mass,
           .is_pushed = dot(push, contact.contact.normal) > 0,
           .push = part(push),
-          .friction = part(drag),
-          .friction_limit = std::max(1.0, friction * norm(push) / norm(drag))};
+          .friction = part(after.velocity - frictionless)};
 }
 
 /// Relocates the points, sets their velocities, and adds the impulses on the surface to `impulses` [N s], one for each vertex of the panels that the
@@ -72,7 +69,7 @@ ContactSum respond(P& points, std::span<const DeformingContact> contacts, double
     const Vec3d before = points.velocity(i);
     const Resolved frictionless = resolved(contact, points.position_t0(i), before, points.mass(i), dt, 0).point;
     after.push_back(friction > 0 ? resolved(contact, points.position_t0(i), before, points.mass(i), dt, friction).point : frictionless);
-    PanelImpact& impact = impacts.emplace_back(panel_impact(contact, points.mass(i), before, frictionless.velocity, after.back(), friction));
+    PanelImpact& impact = impacts.emplace_back(panel_impact(contact, points.mass(i), before, frictionless.velocity, after.back()));
     for (std::size_t k = 0; k < 3; ++k) impact.inverse_masses[k] = inverse_mass(static_cast<std::size_t>(contact.place.vertices[k]));
   }
   const std::vector<ImpactShare> shares = impact_shares(impacts);

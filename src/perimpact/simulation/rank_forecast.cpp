@@ -45,7 +45,7 @@ std::vector<BodyShare> shares_of_lattice(const BodySetup& body, const BodySolid&
 }
 
 std::vector<BodyShare> shares_of_cloud(const BodySetup& body, const Cloud& cloud, RanksInTurn& in_turn) {
-  constexpr std::size_t lanes = fccda::byte_lanes;
+  using fccda::byte_lanes;
   const CloudParts parts = parts_of(body, cloud, in_turn.ranks(), in_turn.first_rank());
   const CloudPartition& partition = parts.partition();
   in_turn.add(partition.parts());
@@ -53,14 +53,14 @@ std::vector<BodyShare> shares_of_cloud(const BodySetup& body, const Cloud& cloud
   for (std::size_t rank = 0; rank < shares.size(); ++rank) {
     const CloudPart part = parts.of(static_cast<int>(rank));
     const int own = partition.part_of(static_cast<int>(rank));
-    const std::size_t end = std::min(partition.end(own) * lanes, cloud.points.size()), begin = std::min(partition.begin(own) * lanes, end);
+    const std::size_t end = std::min(partition.end(own) * byte_lanes, cloud.points.size()), begin = std::min(partition.begin(own) * byte_lanes, end);
     BodyShare& share = shares[rank];
     share.cells = static_cast<double>(end - begin);
     share.slots = static_cast<double>(part.eights.size()) / static_cast<double>(partition.eights());
     share.neighbours = part.exchanged.size();
     for (const CloudPart::Exchanged& exchanged : part.exchanged) {
-      share.ghosts += static_cast<double>(lanes * exchanged.receive.size());
-      share.sent_slots += static_cast<double>(lanes * exchanged.send.size());
+      share.ghosts += static_cast<double>(byte_lanes * exchanged.receive.size());
+      share.sent_slots += static_cast<double>(byte_lanes * exchanged.send.size());
     }
   }
   return shares;

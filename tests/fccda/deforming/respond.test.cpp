@@ -231,26 +231,6 @@ TEST_CASE("deforming response: a surface that moves rigidly acts as a rigid body
   for (std::size_t i = 0; i < a.size(); ++i) CHECK(norm(a.v[i] - b.v[i]) == fixtures::absolute(0, 1e-6, "m/s"));
 }
 
-TEST_CASE("deforming response: a point sticks where its push bears the friction, although a heavier point takes most of the push") {
-  Panels sheet;
-  sheet.vertices = {{-1, -1, 0}, {1, -1, 0}, {1, 1, 0}, {-1, 1, 0}};
-  sheet.add_triangle(0, 1, 2), sheet.add_triangle(0, 2, 3);
-  const auto surface = open_surface(sheet);
-  surface->move(sheet.vertices);
-  const double dt = 0.01, slide = 0.1;  // [m/s]
-  TestPoints points;
-  points.x0 = {{0.2, -0.2, 0.05}, {0.25, -0.2, 0.05}}, points.v = {{0, 0, -10}, {slide, 0, -8}}, points.m = {1, 0.01};
-  for (std::size_t k = 0; k < 2; ++k) points.x1.push_back(points.x0[k] + dt * points.v[k]);
-  Deforming detector(surface, 0);
-  const std::vector<DeformingContact> contacts = deforming::detect(detector, points);
-  REQUIRE(contacts.size() == 2);
-  std::vector<Vec3d> impulses(4);
-  respond(
-      points, contacts, dt, 0.5, [](std::size_t) { return 1 / 0.3; }, impulses);
-  CHECK(points.v[1].z < -4);  // the sheet retreats before the heavy point: less than half of the push on the light one is left
-  CHECK(std::fabs(points.v[1].x) < 0.1 * slide);
-}
-
 TEST_CASE("deforming response: friction adds no energy where points that press on two sides of a fold drag it along") {
   // A fold along y, of light vertices between prescribed borders. The two sides hold each other along their normals, not along the fold.
   Panels fold;
