@@ -84,7 +84,7 @@ def _(t):
     t.assertTrue(any(each.startswith("libopenmpi") for each in depends), depends)
     t.assertFalse([each for each in field("perimpact", "Depends").split(", ") if "mpi" in each.replace("perimpact", "")])
     deck = t.deck(("time: {end: 20 us}", "time: {end: 3 us}"))
-    as_root = {"OMPI_ALLOW_RUN_AS_ROOT": "1", "OMPI_ALLOW_RUN_AS_ROOT_CONFIRM": "1", "OMPI_MCA_mpi_yield_when_idle": "1"}
+    as_root = {"OMPI_ALLOW_RUN_AS_ROOT": "1", "OMPI_ALLOW_RUN_AS_ROOT_CONFIRM": "1"}
     two = ["mpirun", "--oversubscribe", "-n", "2", root / "usr/bin/perimpact", "run", deck, "--out", "two", "--threads", "1", "--no-report"]
     done = subprocess.run(two, cwd=t.folder, env=os.environ | as_root, capture_output=True, text=True)
     t.assertEqual(done.returncode, 2, done)
