@@ -4,6 +4,7 @@ import csv
 import os
 import re
 import subprocess
+import sys
 import tempfile
 from dataclasses import dataclass
 from pathlib import Path
@@ -37,6 +38,15 @@ class Variant:
             "material.critical_stretch": 0.5,  # enabled, never reached
         }
         return [word for key, value in plate.items() for word in ("--set", f"bodies.plate.{key}={value}")]
+
+
+def exit_with(main):
+    """Ends the script with the code of main(), or with 2 and a sentence where it cannot run."""
+    try:
+        sys.exit(main())
+    except CannotRun as error:
+        print(f"error: {error}", file=sys.stderr)
+        sys.exit(2)
 
 
 def run(command, cores, environment=None):

@@ -13,12 +13,14 @@ import csv
 import json
 import os
 import random
-import subprocess
 import sys
 import tempfile
 from pathlib import Path
 
 ROOT = Path(__file__).resolve().parents[2]
+sys.path.append(str(ROOT / "benchmarks/plate"))
+import programs  # noqa: E402
+
 CASES = ROOT / "cases"
 PLATE = {"bodies.plate.spacing": "2 mm", "bodies.plate.shape.box.size": "[200 mm, 100 mm, 8 mm]", "time.step": "0.18 us"}
 TOUGH = {"bodies.plate.material.critical_stretch": 0.002}
@@ -75,12 +77,9 @@ def run(program, name, folder, out, ranks, threads):
         gone = [key.rsplit(".")[-1] + ":" for key, value in changes.items() if value is None]
         deck = Path(folder) / "deck.yaml"
         deck.write_text("".join(line for line in lines if not line.lstrip().startswith(tuple(gone))))
-    launcher = ["mpirun", "--oversubscribe", "-n", str(ranks)] if ranks > 1 else []
-    environment = os.environ | {"OMPI_ALLOW_RUN_AS_ROOT": "1", "OMPI_ALLOW_RUN_AS_ROOT_CONFIRM": "1", "OMP_WAIT_POLICY": "passive"}
-    done = subprocess.run([*launcher, program, "run", deck, "--out", out, "--no-report", "--threads", str(threads), *words], env=environment, capture_output=True, text=True)
-    if done.returncode != 0:
-        print(done.stderr, file=sys.stderr)
-        sys.exit(2)
+    launcher = programs.mpirun(ranks) if ranks > 1 else []
+    command = [*launcher, program, "run", deck, "--out", out, "--no-report", "--threads", str(threads), *words]
+    programs.run(command, os.sched_getaffinity(0), programs.AS_ROOT | {"OMP_WAIT_POLICY": "passive"})
     files = {str(path.relative_to(out)): path.read_bytes() for path in sorted(out.rglob("*")) if path.is_file()}
     report = json.loads(files.pop("run.json"))
     files.pop("checkpoint.h5", None)  # contains the times of the ranks
@@ -99,6 +98,7 @@ def main():
     parser.add_argument("--program", type=Path, default=ROOT / "build/release/perimpact")
     parser.add_argument("--out", type=Path, default=ROOT / "benchmarks/results/ranks_equality.csv")
     arguments = parser.parse_args()
+    arguments.program = arguments.program.resolve()
     table, differs = [], False
     for name in arguments.decks or DECKS:
         with tempfile.TemporaryDirectory() as folder:
@@ -122,4 +122,4 @@ def main():
 
 
 if __name__ == "__main__":
-    sys.exit(main())
+    programs.exit_with(main)

@@ -121,8 +121,4 @@ def main():
 
 
 if __name__ == "__main__":
-    try:
-        sys.exit(main())
-    except programs.CannotRun as error:
-        print(f"error: {error}", file=sys.stderr)
-        sys.exit(2)
+    programs.exit_with(main)

@@ -40,20 +40,14 @@ struct CountedBody {
         stencil(setup.family.as<FamilyRule>(), lattice.spacing, setup.horizon_ratio, lattice.thickness),
         particles(count) {}
   double largest_bonds() const { return 0.5 * particles * static_cast<double>(stencil.size()); }
+  double spacing() const { return lattice.spacing; }
   double mass() const { return particles * lattice.cell_volume() * body.elastic().density; }
 
   std::string text() const {
     return row("particles",
-               fmt::format("{:.0f} ({} x {} x {} cells of {:.4g} m)", particles, lattice.cells[0], lattice.cells[1], lattice.cells[2], lattice.spacing)) +
+               fmt::format("{:.0f} ({} x {} x {} cells of {:.4g} m)", particles, lattice.cells[0], lattice.cells[1], lattice.cells[2], spacing())) +
            row("bonds", fmt::format("at most {:.4g} ({} an interior particle, horizon {:.4g} m)", largest_bonds(), stencil.size(), stencil.horizon())) +
            row("mass", fmt::format("{:.5g} kg", mass()));
-  }
-  Json json() const {
-    Json json = Json::object();
-    json["particles"] = particles;
-    json["spacing [m]"] = lattice.spacing;
-    json["mass [kg]"] = mass();
-    return json;
   }
 };
 
@@ -62,17 +56,11 @@ struct CountedCloud {
   const BodySetup& body;
   const Cloud& cloud;
 
+  double spacing() const { return spacing_of(cloud); }
   double mass() const { return body.elastic().density * std::accumulate(cloud.volumes.begin(), cloud.volumes.end(), 0.0); }
   std::string text() const {
-    return row("particles", fmt::format("{} (points of a file, mean spacing {:.4g} m)", cloud.points.size(), spacing_of(cloud))) +
+    return row("particles", fmt::format("{} (points of a file, mean spacing {:.4g} m)", cloud.points.size(), spacing())) +
            row("mass", fmt::format("{:.5g} kg", mass()));
-  }
-  Json json() const {
-    Json json = Json::object();
-    json["particles"] = cloud.points.size();
-    json["spacing [m]"] = spacing_of(cloud);
-    json["mass [kg]"] = mass();
-    return json;
   }
 };
 
@@ -95,7 +83,10 @@ LargeCheck::LargeCheck(const Setup& setup, const std::vector<Discretisation>& bo
   for (std::size_t b = 0; b < bodies.size(); ++b) {
     const auto add = [&](const auto& body) {
       text_ += fmt::format("body {}\n", setup.bodies[b].name) + body.text();
-      json_["bodies"][setup.bodies[b].name] = body.json();
+      Json& json = json_["bodies"][setup.bodies[b].name];
+      json["particles"] = memory_.particles[b];
+      json["spacing [m]"] = body.spacing();
+      json["mass [kg]"] = body.mass();
     };
     if (const auto* cloud = std::get_if<Cloud>(&bodies[b]))
       add(CountedCloud{setup.bodies[b], *cloud});

@@ -15,6 +15,7 @@ from typing import NamedTuple
 
 SKIPPED = 77
 CLAIMS = {}
+MPIRUN_AS_ROOT = {"OMPI_ALLOW_RUN_AS_ROOT": "1", "OMPI_ALLOW_RUN_AS_ROOT_CONFIRM": "1"}  # Open MPI refuses root
 
 # 960 particles, in contact with a meshed cylinder after 7 microseconds; runs in a few hundredths of a second
 DECK = """\

@@ -9,7 +9,7 @@ import tarfile
 import unittest
 from pathlib import Path
 
-from claims import claim, main
+from claims import MPIRUN_AS_ROOT, claim, main
 
 
 @claim("install: the program runs from a relocated folder, and an installed case passes check and finds its schema")
@@ -84,13 +84,12 @@ def _(t):
     t.assertTrue(any(each.startswith("libopenmpi") for each in depends), depends)
     t.assertFalse([each for each in field("perimpact", "Depends").split(", ") if "mpi" in each.replace("perimpact", "")])
     deck = t.deck(("time: {end: 20 us}", "time: {end: 3 us}"))
-    as_root = {"OMPI_ALLOW_RUN_AS_ROOT": "1", "OMPI_ALLOW_RUN_AS_ROOT_CONFIRM": "1"}
     two = ["mpirun", "--oversubscribe", "-n", "2", root / "usr/bin/perimpact", "run", deck, "--out", "two", "--threads", "1", "--no-report"]
-    done = subprocess.run(two, cwd=t.folder, env=os.environ | as_root, capture_output=True, text=True)
+    done = subprocess.run(two, cwd=t.folder, env=os.environ | MPIRUN_AS_ROOT, capture_output=True, text=True)
     t.assertEqual(done.returncode, 2, done)
     t.assertIn("error: a run of 2 processes needs libperimpact_ranks.so, which is not installed; install the package perimpact-mpi", done.stderr)
     subprocess.run(["dpkg-deb", "-x", packages["perimpact-mpi"], root], check=True)
-    done = subprocess.run(two, cwd=t.folder, env=os.environ | as_root, capture_output=True, text=True)
+    done = subprocess.run(two, cwd=t.folder, env=os.environ | MPIRUN_AS_ROOT, capture_output=True, text=True)
     t.assertEqual(done.returncode, 0, done)
     t.assertEqual(t.report("two")["ranks"], 2)
 

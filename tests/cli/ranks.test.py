@@ -12,10 +12,8 @@ import time
 import unittest
 from pathlib import Path
 
-from claims import MOVES, claim, main
+from claims import MOVES, MPIRUN_AS_ROOT, claim, main
 from folders import LONG, SHORT, contents, ended, started
-
-LAUNCHER = {"OMPI_ALLOW_RUN_AS_ROOT": "1", "OMPI_ALLOW_RUN_AS_ROOT_CONFIRM": "1"}
 
 
 def launched(t, ranks, *options):
@@ -28,7 +26,7 @@ def launched(t, ranks, *options):
 
 def script(t, name, line):
     file = t.folder / name
-    file.write_text("#!/bin/sh\n" + "".join(f"export {key}={value}\n" for key, value in LAUNCHER.items()) + line + "\n")
+    file.write_text("#!/bin/sh\n" + "".join(f"export {key}={value}\n" for key, value in MPIRUN_AS_ROOT.items()) + line + "\n")
     file.chmod(0o755)
     return str(file)
 

@@ -10,6 +10,7 @@ from pathlib import Path
 
 ROOT = Path(__file__).resolve().parents[2]
 sys.path[:0] = [str(Path(sys.argv[1]).resolve().parent / "python"), str(ROOT / "tests" / "cli")]
+from claims import MPIRUN_AS_ROOT  # noqa: E402
 
 # The deck of claims.py with Python numbers, in SI.
 SETUP = {
@@ -45,8 +46,8 @@ SETUP = {
 def run_example(test, name, *arguments, launcher=()):
     """What python/examples/<name>.py prints, after it has drawn its figure. `launcher`: words before the command, such as those of mpirun."""
     figure = test.folder / f"{name}.png"
-    # a folder of its own for what PySPH compiles; mpirun starts as root and on few processors only if it is told to
-    mpi = {"OMPI_ALLOW_RUN_AS_ROOT": "1", "OMPI_ALLOW_RUN_AS_ROOT_CONFIRM": "1", "OMPI_MCA_rmaps_base_oversubscribe": "1"}
+    # a folder of its own for what PySPH compiles; mpirun starts on few processors only if it is told to
+    mpi = MPIRUN_AS_ROOT | {"OMPI_MCA_rmaps_base_oversubscribe": "1"}
     environment = {**test.environment, **mpi, "HOME": str(test.folder), "PYTHONPATH": sys.path[0], "MPLBACKEND": "Agg", "OMP_NUM_THREADS": "1", "MPLCONFIGDIR": str(test.folder)}
     command = [*launcher, sys.executable, ROOT / "python" / "examples" / f"{name}.py", figure, *map(str, arguments)]
     done = subprocess.run(command, env=environment, cwd=test.folder, capture_output=True, text=True, timeout=250)

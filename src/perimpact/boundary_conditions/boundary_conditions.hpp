@@ -91,7 +91,7 @@ class BoundaryConditions {
   template <class Visitor>
   auto with_share(Visitor& visit) const {
     return [this, &visit](const auto& name, auto&& values) {
-      if constexpr (requires { values.per_slot; }) {
+      if constexpr (requires { values.slots; }) {
         auto numbers = values;
         numbers.share = &share_;
         visit(name, numbers);

@@ -167,14 +167,13 @@ class Impactor {
 
   /// False if a table, a load or water changes the velocity without contact.
   bool coasts() const { return prescribed_.is_empty() && loads_.empty() && !water_; }
+  /// Cumulative: steps in which its motion and its impulses did not agree within a tenth after all passes.
+  std::int64_t unconverged_steps() const { return unconverged_steps_; }
   double constraint_work() const { return body_->constraint_work(); }  ///< [J] cumulative, of constraints and prescribed motion
   double load_work() const { return load_work_; }                      ///< [J] cumulative, of applied loads
-  std::int64_t unconverged_steps() const {
-    return unconverged_steps_;
-  }                                                                ///< cumulative: its motion and its impulses did not agree within a tenth after all passes
-  double contact_work() const { return contact_work_; }            ///< [J] cumulative, on the impactor by contact
-  double work_on_particles() const { return work_on_particles_; }  ///< [J] cumulative, on particles in contact (docs/theory/energy.md)
-  double water_work() const { return water_work_; }                ///< [J] cumulative, of weight, buoyancy and their damping
+  double contact_work() const { return contact_work_; }                ///< [J] cumulative, on the impactor by contact
+  double work_on_particles() const { return work_on_particles_; }      ///< [J] cumulative, on particles in contact (docs/theory/energy.md)
+  double water_work() const { return water_work_; }                    ///< [J] cumulative, of weight, buoyancy and their damping
 
   const std::optional<fccda::StillWater>& water() const { return water_; }
   fccda::Hydrostatics hydrostatics() const { return fccda::hydrostatics(*body_, *surface_, *water_); }  ///< current; requires water

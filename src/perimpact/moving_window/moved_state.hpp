@@ -61,7 +61,7 @@ class MovedState {
       using T = typename decltype(numbers)::value_type;
       if constexpr (requires { values.per_eight; }) {
         if (values.share == &body_.particles.share() && !name.ends_with("_of_eight")) return eights(name, numbers_of<T>(from), numbers, values.per_eight.each);
-      } else if constexpr (requires { values.per_slot; }) {
+      } else if constexpr (requires { values.slots; }) {
         if (is_of_all_particles(name, numbers.size(), values.slots.size())) return of_particles(numbers_of<T>(from), numbers, values.slots);
       }
       copy(from, std::as_writable_bytes(numbers));

@@ -32,13 +32,11 @@ auto of_eights(const Particles& particles, Visitor& visit) {
   };
 }
 
-/// `per_slot` numbers of each of some owned slots, ascending.
+/// Numbers of some owned slots, ascending, as many of each.
 template <class T>
 struct ListNumbers : std::span<T> {
-  ListNumbers(std::span<T> numbers, std::span<const std::uint32_t> of_slots)
-      : std::span<T>(numbers), slots(of_slots), per_slot(of_slots.empty() ? 0 : numbers.size() / of_slots.size()) {}
+  ListNumbers(std::span<T> numbers, std::span<const std::uint32_t> of_slots) : std::span<T>(numbers), slots(of_slots) {}
   std::span<const std::uint32_t> slots;
-  std::size_t per_slot;
   const Share* share = nullptr;  // of the body; set by the boundary conditions of the body
 };
 

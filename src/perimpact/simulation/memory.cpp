@@ -39,13 +39,11 @@ std::array<double, 3> cells_of(const BodySetup& setup, const BodySolid& solid, d
 
 /// Mean number of rows per pack of eight in the bond list of a point cloud, from a sample.
 double rows_of_eight(const BodySetup& setup, const Cloud& cloud) {
-  const auto size_of = [&](double volume) { return cloud.thickness ? std::sqrt(volume / *cloud.thickness) : std::cbrt(volume); };
   const std::size_t count = cloud.points.size(), eights = (count + fccda::byte_lanes - 1) / fccda::byte_lanes;
-  const double mean = size_of(std::accumulate(cloud.volumes.begin(), cloud.volumes.end(), 0.0) / static_cast<double>(count));
-  const double horizon = setup.horizon_ratio * mean;
+  const double horizon = setup.horizon_ratio * spacing_of(cloud);
   const bool to_the_last = setup.family.as<FamilyRule>() == FamilyRule::hu_ha_bobaru;
   std::vector<double> part(count, 0);  // [m] of the reach, from its own size; cube roots cost more than distances
-  if (to_the_last) std::ranges::transform(cloud.volumes, part.begin(), [&](double volume) { return 0.25 * size_of(volume); });
+  if (to_the_last) std::ranges::transform(cloud.volumes, part.begin(), [&](double volume) { return 0.25 * size_of_volume(volume, cloud.thickness); });
   const std::size_t sampled = std::min<std::size_t>(eights, 32);
   std::vector<double> longest(sampled, 0);
   fccda::parallel_for_uneven(static_cast<std::ptrdiff_t>(sampled), [&](std::ptrdiff_t k) {

@@ -40,7 +40,7 @@ class GatheredState {
     using T = typename decltype(numbers)::value_type;
     if constexpr (requires { values.per_eight; }) {
       pass(name, values.share->gather(std::span<const T>(numbers), values.per_eight));
-    } else if constexpr (requires { values.per_slot; }) {
+    } else if constexpr (requires { values.slots; }) {
       pass(name, values.share->gather_listed(std::span<const T>(numbers), values.slots));
     } else if (const Body* body = body_of_points(name, bodies_)) {
       std::vector<T> points;
@@ -131,7 +131,7 @@ class TakenState {
     if constexpr (requires { values.per_eight; }) {
       const std::size_t count = values.share->count_of_whole(values.per_eight);
       values.share->take(std::span<const T>(on_root<T>(name, count)), numbers, values.per_eight);
-    } else if constexpr (requires { values.per_slot; }) {
+    } else if constexpr (requires { values.slots; }) {
       const std::size_t count = static_cast<std::size_t>(ranks_.sum(static_cast<std::int64_t>(numbers.size())));
       values.share->take_listed(std::span<const T>(on_root<T>(name, count)), numbers, values.slots);
     } else if constexpr (fccda::is_list<std::remove_cvref_t<Values>>) {
