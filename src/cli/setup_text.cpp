@@ -53,6 +53,8 @@ std::string body_text(const BodySetup& setup, const Body& body, const std::optio
   const bool is_exact = !filled || std::fabs(filled->excess()) < 1e-9;  // a box of whole spacings
   text += row("mass", fmt::format("{:.5g} kg{}", particles.total_mass(),
                                   is_exact ? "" : fmt::format("; {:+.2g} % relative to the solid ({:.5g} kg)", 100 * filled->excess(), filled->solid)));
+  if (particles.mass_scaling() != 1)
+    text += row("mass scaling", fmt::format("inertia {:.4g} times that of the material; weight is not scaled", particles.mass_scaling()));
   for (const CrackCut& crack : body.cracks) text += fmt::format("  {:<18}{} bonds cut\n", "crack " + crack.name, crack.bonds);
   return text;
 }

@@ -26,6 +26,7 @@ Json body_report(const Body& body, const BoundaryConditions& boundary_conditions
   if (const Stencil* stencil = body.family.stencil()) json["interior_family"] = stencil->size();
   json["spacing [m]"] = body.particles.spacing();
   json["horizon [m]"] = body.family.horizon();
+  if (body.particles.mass_scaling() != 1) json["mass_scaling"] = body.particles.mass_scaling();
   if (body.bending) json["bending_calibration"] = *body.bending;
   if (const auto& failure = body.failure) {
     json["failure"]["critical_stretch"] = failure->stretch;

@@ -29,9 +29,11 @@ Share share_of(const BodySetup& setup, const BodySolid& solid, Ranks& ranks, int
   return Share(ranks, lattice, partition_rule_of(setup, lattice, load), first_rank);
 }
 
+Density density_of(const BodySetup& setup) { return {setup.elastic().density, setup.mass_scaling}; }
+
 /// Particles of this rank in a cloud.
 Particles particles_of(const BodySetup& setup, const Cloud& cloud, Ranks& ranks, int first_rank, const MeasuredLoad& load) {
-  const double density = setup.elastic().density;
+  const Density density = density_of(setup);
   if (ranks.size() == 1) return Particles(cloud, density);
   return Particles(cloud, density, Share(ranks, parts_of(setup, cloud, ranks.size(), first_rank, load).of(ranks.rank())));
 }
@@ -44,7 +46,7 @@ Particles filled(const BodySetup& setup, const BodySolid& solid, Share share) {
     throw SetupError("bodies." + setup.name + ".spacing",
                      fmt::format("no particle of a lattice of {} m is inside body {}; take a smaller spacing, or check the units of its shape and holes.",
                                  lattice.spacing, setup.name));
-  return Particles(lattice, stencil_of(setup, lattice).reach(), setup.elastic().density, inside, std::move(share));
+  return Particles(lattice, stencil_of(setup, lattice).reach(), density_of(setup), inside, std::move(share));
 }
 
 Particles with_velocity(const BodySetup& setup, Particles particles) {

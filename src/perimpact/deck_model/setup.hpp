@@ -128,6 +128,7 @@ struct BodySetup {
   Choice surface_correction{surface_correction_words};
   Choice bending_calibration{thin_axis_words};  ///< axis across a thin plate whose bending stiffness is calibrated
   bool published = false;                       ///< discretisation of the FCCDA paper: madenci-oterkus, continuum, none
+  double mass_scaling = 1;                      ///< inertia over the mass of the material (docs/theory/time_step.md)
   Choice plane{plane_words};                    ///< of a 2-D body, a single layer in z
   MaterialSetup material;
   std::optional<FailureSetup> failure;

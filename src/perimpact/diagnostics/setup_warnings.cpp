@@ -120,7 +120,7 @@ void warn_of_interpenetration(const Setup& setup, const Body& body, GroupedSente
 std::vector<std::string> warnings_about_bodies(const Setup& setup, std::span<const Body> bodies, std::span<const std::optional<FilledMass>> masses) {
   GroupedSentences warnings;
   for (const BodySetup& body : setup.bodies) warn_of_modulus(body, warnings);
-  for (const Body& body : bodies) warn_of_density(body.name, body.particles.density(), warnings);
+  for (const Body& body : bodies) warn_of_density(body.name, body.particles.material_density(), warnings);
   for (const ImpactorSetup& impactor : setup.impactors)
     if (impactor.density) warn_of_density(impactor.name, *impactor.density, warnings);
   warn_of_thin_bodies(bodies, warnings);

@@ -121,12 +121,12 @@ Fragments::Fragments(const Particles& particles, const Family& family) : of_part
   }
   for (std::size_t p = 0; p < names.size(); ++p) of_particles_[p] = number.at(names[p]);
   if (particles.lattice()) {
-    for (Fragment& fragment : fragments_) fragment.mass = static_cast<double>(fragment.particles) * particles.mass(0);  // as Particles::total_mass()
+    for (Fragment& fragment : fragments_) fragment.mass = static_cast<double>(fragment.particles) * particles.material_mass(0);  // as Particles::total_mass()
   } else {
     std::vector<fccda::ExactSums<double>> sums(fragments_.size());
     for (std::size_t p = 0; p < names.size(); ++p) sums[static_cast<std::size_t>(of_particles_[p])].add(particles.volume(particles.slot_of()[p]));
     const std::vector<double> volumes = values_of_all(particles.share().ranks(), std::span(sums));
-    for (std::size_t n = 0; n < fragments_.size(); ++n) fragments_[n].mass = particles.density() * volumes[n];
+    for (std::size_t n = 0; n < fragments_.size(); ++n) fragments_[n].mass = particles.material_density() * volumes[n];
   }
   sort_by_mass();
 }
@@ -173,7 +173,7 @@ std::vector<FragmentState> states_of(const Fragments& fragments, const Particles
     const std::size_t slot = particles.slot_of()[p], n = static_cast<std::size_t>(fragments.of_particles()[p]);
     if (n >= count) continue;
     const Vec3d x = particles.position.at(slot);
-    const double share = particles.mass(slot) / fragments.all()[n].mass, half = 0.5 * particles.size_of(slot);
+    const double share = particles.material_mass(slot) / fragments.all()[n].mass, half = 0.5 * particles.size_of(slot);
     means[n].add({share * x, share * particles.velocity.at(slot)});
     for (std::size_t c = 0; c < 3; ++c) {
       const double reach = c == 2 && particles.is_plane() ? 0.5 * *particles.thickness() : half;

@@ -23,7 +23,7 @@ double energy_of_rounding(std::span<const Body> bodies, double dt) {
     for (const std::uint32_t slot : body.particles.slot_of()) furthest = std::max(furthest, largest_magnitude(body.particles.reference(slot)));
     furthest = body.particles.share().ranks().max(furthest);
     const double speed = 100 * std::numeric_limits<double>::epsilon() * furthest / dt;
-    energy += 0.5 * body.particles.total_mass() * speed * speed;
+    energy += 0.5 * body.particles.mass_scaling() * body.particles.total_mass() * speed * speed;
   }
   return energy;
 }

@@ -30,13 +30,14 @@ std::vector<std::uint8_t> marked(const Lattice& lattice, const std::function<boo
 
 }  // namespace
 
-Particles::Particles(const Lattice& lattice, int reach, double density, std::span<const std::uint8_t> inside, Share share)
+Particles::Particles(const Lattice& lattice, int reach, Density density, std::span<const std::uint8_t> inside, Share share)
     : share_(std::move(share)),
       lattice_(lattice),
       slots_(lattice.slots()),
       row_slots_(lattice.row_slots()),
       slack_(static_cast<std::size_t>(lattice.offset(reach, reach, lattice.thickness ? 0 : reach)) + fccda::byte_lanes),
       density_(density),
+      inertia_(density.of_inertia()),
       spacing_(lattice.spacing),
       thickness_(lattice.thickness),
       cell_volume_(lattice.cell_volume()),
@@ -54,15 +55,16 @@ Particles::Particles(const Lattice& lattice, int reach, double density, std::spa
   number_particles();
 }
 
-Particles::Particles(const Lattice& lattice, int reach, double density, const std::function<bool(const Vec3d&)>& inside)
+Particles::Particles(const Lattice& lattice, int reach, Density density, const std::function<bool(const Vec3d&)>& inside)
     : Particles(lattice, reach, density, marked(lattice, inside)) {}
 
-Particles::Particles(const Cloud& cloud, double density, const Share& share)
+Particles::Particles(const Cloud& cloud, Density density, const Share& share)
     : share_(share),
       slots_(share.is_whole() ? whole_packs(cloud.points.size()) : share.eights().size() * fccda::byte_lanes),
       row_slots_(cloud_row),
       slack_(0),
       density_(density),
+      inertia_(density.of_inertia()),
       spacing_(spacing_of(cloud)),
       thickness_(cloud.thickness),
       occupied_(slots_ / fccda::byte_lanes, 0) {
@@ -121,8 +123,8 @@ void Particles::begin_refresh_ghosts() {
 }
 
 double Particles::total_mass() const {
-  if (lattice_) return static_cast<double>(size_of_body()) * mass(0);
-  return density_ * exact_sum_over_eights(*this, [&](std::size_t slot) { return volume(slot); });
+  if (lattice_) return static_cast<double>(size_of_body()) * material_mass(0);
+  return density_.material * exact_sum_over_eights(*this, [&](std::size_t slot) { return volume(slot); });
 }
 
 double Particles::size_of(std::size_t slot) const { return lattice_ ? spacing_ : size_of_volume(volumes_[slot], thickness_); }

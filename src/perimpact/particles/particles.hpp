@@ -19,17 +19,26 @@
 
 namespace perimpact {
 
+/// Density of a body's particles.
+struct Density {
+  Density(double of_material, double scaling = 1) : material(of_material), mass_scaling(scaling) {}
+  double of_inertia() const { return mass_scaling * material; }
+
+  double material;      ///< [kg/m³] of weight
+  double mass_scaling;  ///< [-] inertia over the mass of the material
+};
+
 class Particles {
  public:
   /// One particle in each cell that is `inside`: 1 for each slot with a particle, else 0. `reach`: of the stencil, in cells per direction.
-  Particles(const Lattice& lattice, int reach, double density, std::span<const std::uint8_t> inside) : Particles(lattice, reach, density, inside, Share()) {}
+  Particles(const Lattice& lattice, int reach, Density density, std::span<const std::uint8_t> inside) : Particles(lattice, reach, density, inside, Share()) {}
   /// The same of a share, whose lattice that is.
-  Particles(const Lattice& lattice, int reach, double density, std::span<const std::uint8_t> inside, Share share);
+  Particles(const Lattice& lattice, int reach, Density density, std::span<const std::uint8_t> inside, Share share);
   /// The same for each cell whose centre is `inside`.
-  Particles(const Lattice& lattice, int reach, double density, const std::function<bool(const Vec3d&)>& inside);
+  Particles(const Lattice& lattice, int reach, Density density, const std::function<bool(const Vec3d&)>& inside);
 
   /// One particle per point, in the same order; those of a share of the cloud.
-  Particles(const Cloud& cloud, double density, const Share& share = Share());
+  Particles(const Cloud& cloud, Density density, const Share& share = Share());
 
   /// Moves the lattice of the body to that first cell, and all particles to the centres of their cells.
   void move_lattice(const std::array<int, 3>& first);
@@ -69,11 +78,14 @@ class Particles {
   /// Those of them whose bonds reach no ghost; requires a partial share.
   Range interior_slots(std::size_t row) const;
 
-  double density() const { return density_; }                                                 ///< [kg/m³]
+  double density() const { return inertia_; }                                                 ///< [kg/m³] of inertia
+  double material_density() const { return density_.material; }                               ///< [kg/m³] of weight
+  double mass_scaling() const { return density_.mass_scaling; }                               ///< [-] the ratio of both
   double spacing() const { return spacing_; }                                                 ///< [m] of the lattice; for a cloud, the mean particle size
   double volume(std::size_t slot) const { return lattice_ ? cell_volume_ : volumes_[slot]; }  ///< [m³]
-  double mass(std::size_t slot) const { return density_ * volume(slot); }                     ///< [kg]
-  double total_mass() const;                                                                  ///< [kg]
+  double mass(std::size_t slot) const { return inertia_ * volume(slot); }                     ///< [kg] of inertia
+  double material_mass(std::size_t slot) const { return density_.material * volume(slot); }   ///< [kg] of weight
+  double total_mass() const;                                                                  ///< [kg] of the material
   double size_of(std::size_t slot) const;                                                     ///< [m] edge of a cube of its volume; of a square in a plane body
   bool is_plane() const { return thickness_.has_value(); }                                    ///< all forces and velocities lie in the plane z
   std::optional<double> thickness() const { return thickness_; }                              ///< [m] of a plane body
@@ -110,7 +122,8 @@ class Particles {
   Share share_;
   std::optional<Lattice> lattice_;
   std::size_t slots_, row_slots_, slack_;
-  double density_, spacing_;
+  Density density_;
+  double inertia_, spacing_;  // [kg/m³], [m]
   std::optional<double> thickness_;
   double cell_volume_ = 0;              // of a lattice
   std::vector<Vec3d> reference_;        // of a cloud

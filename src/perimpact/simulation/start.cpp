@@ -32,7 +32,7 @@ std::vector<std::optional<FilledMass>> masses_of(std::span<const Discretisation>
   for (std::size_t b = 0; b < bodies.size(); ++b) {
     const auto* solid = std::get_if<BodySolid>(&bodies[b]);
     const std::optional<double> volume = solid ? solid->volume() : std::nullopt;
-    if (volume) masses[b] = FilledMass{particles[b].density() * *volume, particles[b].total_mass()};
+    if (volume) masses[b] = FilledMass{particles[b].material_density() * *volume, particles[b].total_mass()};
   }
   return masses;
 }

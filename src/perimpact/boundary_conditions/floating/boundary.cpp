@@ -31,7 +31,7 @@ Floating make_boundary(const FloatingSetup& floating, const BoundarySite& site) 
     if (!floats_at)
       throw SetupError(site.key,
                        fmt::format("body {} of {} kg/m3 sinks in water of {} kg/m3, so that it has no equilibrium level; give the level, or correct a density.",
-                                   site.of.body.name, particles.density(), floating.density));
+                                   site.of.body.name, particles.material_density(), floating.density));
     water.level = *floats_at;
   }
   std::optional<WaterColumns> columns;

@@ -27,7 +27,8 @@ std::optional<double> floating_level(const Particles& particles, std::span<const
   }
   Ranks& ranks = particles.share().ranks();
   low = ranks.min(low), high = ranks.max(high);
-  const double volume = exact_sum_over_eights(ranks, slots, [&](std::size_t k) { return particles.volume(slots[k]); }), mass = particles.density() * volume;
+  const double volume = exact_sum_over_eights(ranks, slots, [&](std::size_t k) { return particles.volume(slots[k]); }),
+               mass = particles.material_density() * volume;
   if (mass > water.density * volume) return std::nullopt;
   Water trial = water;
   for (int halvings = 0; halvings < 100 && high - low > 1e-15 * (std::fabs(high) + std::fabs(low)); ++halvings) {
@@ -124,7 +125,7 @@ void Floating::flood_deep_columns(const Particles& particles) {
 }
 
 ForceSum Floating::static_hydrostatics(Particles& particles) {
-  const double weight = particles.density() * water_.gravity, lift = water_.density * water_.gravity;  // [N/m³]
+  const double weight = particles.material_density() * water_.gravity, lift = water_.density * water_.gravity;  // [N/m³]
   const Hydrostatics sum = exact_sum_over_eights(particles.share().ranks(), slots_, [&](std::size_t k) {
     const std::size_t slot = slots_[k];
     const double z = particles.position.at(slot).z, height = particles.size_of(slot), volume = particles.volume(slot);
@@ -178,7 +179,7 @@ Vec3d Floating::resist(Particles& particles, double dt) {
     const double damping =
         water_.damping + (drags ? 0.5 * water_.density * water_.drag * height * height * wet * norm(velocity) / (density * particles.volume(slot)) : 0);
     Vec3d after = before;
-    for (std::size_t c = 0; c < 3 && damping != 0; ++c)
+    for (std::size_t c = 0; c < 3; ++c)
       if (moves_[k][c]) after[c] = damped(before[c], velocity[c], density, damping, dt);
     if (moves_[k][2]) after.z *= density / (density + entrained(k, height, wet));
     particles.force_density.set(slot, after);
