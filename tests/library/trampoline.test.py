@@ -33,9 +33,10 @@ def sag(scene):
     out = scene.expect_success(1).out
     on_all, on_one = compliance()
     expected = -(on_all * KNOT_MASS + on_one * GRAIN_MASS) * GRAVITY / TENSION
-    # the grain touches the panels around the knot at R sin(slope) = 4 % of the spacing from it, which takes up to 0.25 * 4 % off the 0.64 of on_one
+    # Friction makes the force of the grain vertical, through its centre above the knot: 0.04 % off. Without friction the net was 0.3 % less deep, and with
+    # friction up to the limit of Coulomb, which rocks the grain, 1.0 % deeper.
     found = number(out, r"net at its middle: (\S+) m")
-    scene.assertLess(abs(found - expected), 0.01 * abs(expected))
+    scene.assertLess(abs(found - expected), 0.002 * abs(expected))
     above = number(out, r"first grain (\S+) m above")
     scene.assertGreater(above, RADIUS)  # between the panels that fall towards the knot
     scene.assertLess(above, 1.002 * RADIUS)  # 1/cos of their slope
