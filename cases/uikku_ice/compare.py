@@ -1,8 +1,8 @@
 #!/usr/bin/python3
 """Measured resistance, formulas and runs: compare.py [RESULTS ...]
 
-Prints the table of README.md. RESULTS: folders of runs, each of the deck whose test is in its title; their mean is that of F_x on the ship from the time on
-at which ice has reached the full breadth of the hull (ASTERN metres of travel), with the standard error of block averages of `perimpact statistics`.
+Prints the table of README.md. RESULTS: folders of runs, each of the deck whose test is in its title; their mean is that of F_x on the ship over the last
+SAMPLE metres of travel, with the standard error of block averages of `perimpact statistics`.
 """
 
 import csv
@@ -12,7 +12,7 @@ import subprocess
 import sys
 from pathlib import Path
 
-from decks import ASTERN, HERE, ship_in, tests  # which makes ../ship_ice importable
+from decks import HERE, sample, ship_in, tests  # which makes ../ship_ice importable
 from resistance import iso_19906, lindqvist, riska
 
 PERIMPACT = HERE / "../../build/release/perimpact"
@@ -22,12 +22,13 @@ STATISTICS = "statistics.csv"
 def run_of(folder):
     """Number of the test, and a cell of the table: mean and standard error [kN], or how far the run has come."""
     report = json.loads((folder / "run.json").read_text(encoding="utf-8"))
-    number, speed = int(re.search(r"test (\d+)", report["setup"]["title"])[1]), abs(report["setup"]["impactors"]["ship"]["velocity"][0])
+    number = int(re.search(r"test (\d+)", report["setup"]["title"])[1])
+    begin = sample(tests()[number]["speed"])
     with open(folder / "history.csv", newline="", encoding="utf-8") as lines:
         end = float(list(csv.DictReader(lines))[-1]["time [s]"])
-    if end * speed <= ASTERN:
-        return number, f"{end * speed:.1f} m only"
-    subprocess.run([PERIMPACT, "statistics", folder, "--from", str(ASTERN / speed), "--columns", "ship.force_x"], check=True, stdout=subprocess.DEVNULL)
+    if end <= begin:
+        return number, f"ends at {end:.1f} s"
+    subprocess.run([PERIMPACT, "statistics", folder, "--from", str(begin), "--columns", "ship.force_x"], check=True, stdout=subprocess.DEVNULL)
     with open(folder / STATISTICS, newline="", encoding="utf-8") as lines:
         row = next(csv.DictReader(lines))
     at_least = "at least " if row["standard_error_is_bound"] == "1" else ""

@@ -22,7 +22,8 @@ ASTERN = 39.0  # [m] of ice behind the stem, the length of the bow
 APPROACH = 1.5  # [m/s] while the bow makes its channel, which takes one second more for the change to the speed of the test
 STEP = 0.5  # over spacing/√(E/ρ), with ρ of the scaled mass; `perimpact check` accepts up to 0.504 for these decks
 DISPLACEMENT = 21655  # [t] of the panels of this hull, by `perimpact shape hull`, in water of 1025 kg/m3
-TRAVEL = 46.0  # [m] at the speed of the test, with the whole breadth in the ice; the mean is that after 10 m, at least ten cusps of the formula
+TRAVEL = 46.0  # [m] at the speed of the test, with the whole breadth in the ice
+SAMPLE = 36.0  # [m] the last of it, at least ten cusps of the formula: the mean is theirs
 
 
 def tests():
@@ -48,6 +49,16 @@ def deflection_at_breaking(ship):
     return 2 * load * wavenumber / foundation
 
 
+def approach(speed):
+    """[s] until the ship has the speed of the test, after ASTERN."""
+    return (ASTERN - (APPROACH + speed) / 2) / APPROACH + 1
+
+
+def sample(speed):
+    """[s] at which the sample begins."""
+    return approach(speed) + (TRAVEL - SAMPLE) / speed
+
+
 def deck(number, test, is_free=False):
     """The deck of a test; of a ship that is free in surge and heave and driven by the resistance that was measured, where `is_free`."""
     ship = ship_in(test)
@@ -60,9 +71,9 @@ def deck(number, test, is_free=False):
     scaling = 1 + ship.water * entrained / (ship.ice * ship.thickness)
     dry = max(0.0, deflection_at_breaking(ship) - (ship.thickness - draft))
     step = STEP * spacing / sqrt(ship.young / (ship.ice * scaling))
-    fast = (ASTERN - (APPROACH + ship.speed) / 2) / APPROACH  # [s]
-    end = ASTERN / ship.speed + TRAVEL / ship.speed if is_free else fast + 1 + TRAVEL / ship.speed
-    motion = f"""motion: {{x: {{times: [0, {fast:.4g}, {fast + 1:.4g}], velocities: [{-APPROACH:g}, {-APPROACH:g}, {-ship.speed:g}]}}}}  # makes its channel fast, then breaks ice at the speed of the test"""
+    reached = approach(ship.speed)
+    end = (ASTERN + TRAVEL) / ship.speed if is_free else reached + TRAVEL / ship.speed
+    motion = f"""motion: {{x: {{times: [0, {reached - 1:.4g}, {reached:.4g}], velocities: [{-APPROACH:g}, {-APPROACH:g}, {-ship.speed:g}]}}}}  # makes its channel fast, then breaks ice at the speed of the test"""
     if is_free:
         motion = f"""velocity: [{-ship.speed:g} m/s, 0, 0]
     free_dofs: [x, z]

@@ -107,13 +107,14 @@ TEST_CASE("water columns: a block heaves with the period of its mass and the wat
   }
 }
 
-TEST_CASE("water columns: a standing wave of a strip is slower by the water of the depth 1/k") {
+TEST_CASE("water columns: a standing wave of a strip is slower by the water of the depth 1/k, and by mass scaling of as much inertia") {
   constexpr double length = 20, span = length - 0.5, k = pi / span;  // between the outermost columns, which support it
-  const auto frequency = [&](double depth) {
+  const auto frequency = [&](double depth, double mass_scaling) {
     FloatingSetup water = calm();
     water.entrained_depth = depth;
-    Setup setup = box({length, 1, height}, afloat + 0.05, water, depth > 0 ? 12 : 6, 2e7);
+    Setup setup = box({length, 1, height}, afloat + 0.05, water, depth > 0 || mass_scaling > 1 ? 12 : 6, 2e7);
     BodySetup& strip = setup.bodies[0];
+    strip.mass_scaling = mass_scaling;
     for (const double end : {-1.0, 1.0}) {
       const std::string name = end < 0 ? "left" : "right";
       strip.particle_sets.push_back({.name = name, .shape = BoxSolid{.size = {0.5, 4, 4}}, .position = {end * span / 2, 0, 0}});
@@ -124,10 +125,12 @@ TEST_CASE("water columns: a standing wave of a strip is slower by the water of t
     return 2 * pi / period(simulation, [&](const Vec3d& at) { return std::cos(k * at.x); });
   };
   const double rotation = ice * height * height * height / 12 * k * k;          // rotary inertia
-  const double in_air = std::pow(frequency(0), 2) * (ice * height + rotation);  // D k⁴ + ρ_w g, with the stiffness of these layers
+  const double in_air = std::pow(frequency(0, 1), 2) * (ice * height + rotation);  // D k⁴ + ρ_w g, with the stiffness of these layers
   const double plate = 2e7 * height * height * height / (12 * (1 - 0.0625)) * std::pow(k, 4) + foundation;
   CHECK(in_air == fixtures::relative(plate, 0.15));  // four layers of two particles are a fifth softer than a plate
-  CHECK(frequency(1 / k) == fixtures::relative(std::sqrt(in_air / (ice * height + rotation + sea / k)), 0.01));  // motion along the strip entrains none
+  CHECK(frequency(1 / k, 1) == fixtures::relative(std::sqrt(in_air / (ice * height + rotation + sea / k)), 0.01));  // motion along the strip entrains none
+  const double scaling = 1 + sea / k / (ice * height);
+  CHECK(frequency(0, scaling) == fixtures::relative(std::sqrt(in_air / (scaling * (ice * height + rotation))), 0.01));  // here it is slower as well
 }
 
 TEST_CASE("water columns: the characteristic length of two metres of ice of 1.8 GPa is 18.9 m") {
