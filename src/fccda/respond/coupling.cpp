@@ -44,7 +44,9 @@ Vector6 solve(std::array<Vector6, 6> a, Vector6 b) {
 /// Upper bound on the speed within the radius [m/s].
 double speed(const Twist& twist, double radius) { return norm(twist.velocity) + radius * norm(twist.spin); }
 
+Impulse operator+(const Impulse& a, const Impulse& b) { return {a.linear + b.linear, a.angular + b.angular}; }
 Impulse operator-(const Impulse& a, const Impulse& b) { return {a.linear - b.linear, a.angular - b.angular}; }
+Impulse operator*(double factor, const Impulse& a) { return {factor * a.linear, factor * a.angular}; }
 
 }  // namespace
 
@@ -84,15 +86,34 @@ void Coupling::add(const Contact& contact, double mass, const Vec3d& place, cons
   }
 }
 
-bool Coupling::agrees(double radius, double share) const {
+// [m/s] speed that the found impulse causes within the radius beyond that of the assumed one.
+double Coupling::error(double radius) const {
   const Impulse missing = found_ - assumed_;
-  const double error = speed(at_t0_.velocity_change(missing.linear, missing.angular), radius);
+  return speed(at_t0_.velocity_change(missing.linear, missing.angular), radius);
+}
+
+bool Coupling::agrees(double radius, double share) const {
+  const double error = this->error(radius);
   const double change = speed(at_t0_.velocity_change(found_.linear, found_.angular), radius);
   const double rounding = std::max(1e-12 * radius, 32 * std::numeric_limits<double>::epsilon() * largest_magnitude(motion_.t1.position()));  // [m]
   return !(error > share * change && motion_.dt * error > rounding);
 }
 
 Motion Coupling::correct(RigidBody& body, double radius) {
+  const double error = this->error(radius);
+  const bool improves = error < best_.error;
+  if (++passes_ > undamped_passes && !improves) {
+    damping_ *= 0.5;
+    assumed_ = best_.assumed + damping_ * best_.change;
+    return move(body, radius);
+  }
+  const Impulse change = newton_update(radius);
+  if (improves) best_ = {assumed_, change, error}, damping_ = 1;
+  assumed_ = assumed_ + change;
+  return move(body, radius);
+}
+
+Impulse Coupling::newton_update(double radius) const {
   // moments are divided by the radius, so that all equations have the same units
   const double length = radius > 0 ? radius : 1;
   std::array<Vector6, 6> matrix{};
@@ -106,13 +127,11 @@ Motion Coupling::correct(RigidBody& body, double radius) {
   const Impulse missing = found_ - assumed_;
   const Vector6 change =
       solve(matrix, {missing.linear.x, missing.linear.y, missing.linear.z, missing.angular.x / length, missing.angular.y / length, missing.angular.z / length});
-  assumed_.linear += first(change);
-  assumed_.angular += length * second(change);
-  return move(body, radius);
+  return {first(change), length * second(change)};
 }
 
 Motion Coupling::retreat(RigidBody& body, double radius) {
-  assumed_ = {};
+  if (!(error(radius) <= best_.error)) assumed_ = best_.assumed;
   return move(body, radius);
 }
 

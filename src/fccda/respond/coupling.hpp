@@ -10,6 +10,10 @@
 ///
 ///   (1 + K A) δJ = J(q) - J,    K = Σ Gᵀ B G,  G = (1, -r×),    A: RigidBody::velocity_change
 ///
+/// Where contacts come and go from pass to pass, or points stick and slide by turns, it need not converge. After `undamped_passes` a pass that is
+/// no improvement on the best one so far is therefore repeated with half of the change δJ that led to it. An impulse that is found, but was not
+/// assumed, changes the velocity of the body and not its motion of the step: it may add energy, the more the lighter the body.
+///
 /// Each pass repeats detection and response with its own motion, from the positions before the first pass. No point therefore remains inside the
 /// body at t1, and momentum is conserved to rounding, converged or not.
 ///
@@ -25,6 +29,7 @@
 #pragma once
 
 #include <array>
+#include <limits>
 
 #include "fccda/detect/contact.hpp"
 #include "fccda/rigid_body/rigid_body.hpp"
@@ -39,7 +44,7 @@ struct Impulse {
 /// Newton iteration for the contact impulse of one step.
 class Coupling {
  public:
-  static constexpr int max_passes = 12;
+  static constexpr int max_passes = 12, undamped_passes = 6;
 
   explicit Coupling(const RigidBody& at_t0) : at_t0_(at_t0) {}
 
@@ -53,10 +58,10 @@ class Coupling {
   /// causes. `radius` [m] of the surface about the centre of mass.
   bool agrees(double radius, double share = 1e-6) const;
 
-  /// Begins the next pass with a Newton update. Returns its motion and leaves the body at its t1.
+  /// Begins the next pass with a Newton update, damped where that is needed. Returns its motion and leaves the body at its t1.
   Motion correct(RigidBody& body, double radius);
 
-  /// Begins the next pass with the contact-free motion. For iterations that diverge, as when several bodies compress the same points.
+  /// Begins the next pass as the one in which assumed and computed impulse differed least. For iterations that do not converge.
   Motion retreat(RigidBody& body, double radius);
 
   /// [m] upper bound on the displacement of the surface at t1 between the last two passes.
@@ -70,6 +75,13 @@ class Coupling {
  private:
   using Matrix6 = std::array<std::array<double, 6>, 6>;
 
+  struct Pass {
+    Impulse assumed, change;                                 // Newton update that follows it
+    double error = std::numeric_limits<double>::infinity();  // [m/s]
+  };
+
+  double error(double radius) const;
+  Impulse newton_update(double radius) const;
   Motion move(RigidBody& body, double radius);
 
   RigidBody at_t0_;
@@ -78,6 +90,9 @@ class Coupling {
   Impulse assumed_, found_;
   Matrix6 stiffness_{};  // K [kg], [kg m], [kg m²]
   double correction_ = 0;
+  Pass best_;           // in which assumed and computed impulse differed least
+  double damping_ = 1;  // factor of its change in the last pass
+  int passes_ = 0;      // completed
 };
 
 /// Adds the impulse; returns its work [J], exact for the velocities before and after.

@@ -109,7 +109,7 @@ class Impactor {
   bool moved_with_contact();
 
   /// Begins another pass over all bodies from the initial particle positions; the impactor moves with the impulses of the previous pass.
-  /// `last`: of the last pass; if the passes have not converged, the impactor again moves as without contact.
+  /// `last`: of the last pass; if the passes have not converged, the impactor moves again as in the best of them.
   void repeat_step(bool last);
 
   /// After the last pass: applies the impulse to the impactor and updates the ledgers.
