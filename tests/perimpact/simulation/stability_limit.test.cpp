@@ -86,9 +86,9 @@ std::vector<fixtures::NamedOptions> bodies_of(Plane plane, Points points) {
   for (const double nu : {0.0, 0.25, 0.35, 0.45, 0.49}) {
     for (const SurfaceCorrection correction : {SurfaceCorrection::none, SurfaceCorrection::energy, SurfaceCorrection::volume})
       add("ordinary state", {.poissons_ratio = nu, .correction = correction});
-    for (const Influence influence : {Influence::constant, Influence::inverse_square})
+    for (const Influence influence : {Influence::constant, Influence::inverse, Influence::inverse_square})
       add("linear solid", {.poissons_ratio = nu, .model = Model::linear_solid, .influence = influence});
-    for (const Stabilisation stabilisation : {Stabilisation::wan, Stabilisation::silling})
+    for (const Stabilisation stabilisation : {Stabilisation::bond_level, Stabilisation::wan, Stabilisation::silling})
       add("correspondence", {.poissons_ratio = nu, .model = Model::correspondence, .stabilisation = stabilisation});
   }
   for (const SurfaceCorrection correction : {SurfaceCorrection::none, SurfaceCorrection::energy, SurfaceCorrection::volume})
