@@ -62,7 +62,7 @@ TEST_CASE("floating: while the level is inside a sheet, its columns are Winkler 
     for (const double level : {-0.99, -0.7, 0.0, 0.33, 1.0}) {
       Particles particles = body.particles;
       particles.force_density = VectorArray(particles.slots(), 0);
-      Floating water(slots, {.level = level, .density = sea, .gravity = gravity, .drag = 0, .added_mass = 0, .damping = 0}, level);
+      Floating water(body.particles, slots, {.level = level, .density = sea, .gravity = gravity, .drag = 0, .added_mass = 0, .damping = 0}, level);
       const double lift = sea * gravity * 4 * (level + 1), weight = fixtures::density * gravity * 8;
       CHECK(water.static_hydrostatics(particles).force.z == fixtures::relative(lift - weight, 1e-13));  // rounding of 512 particles
     }

@@ -57,8 +57,7 @@ struct Afloat {
   Body body;
   Floating water;
 
-  Afloat(const Vec3d& size, double spacing, Water its)
-      : body(fixtures::body({.size = size, .spacing = spacing})), water(slots(), its, 0, WaterColumns(body.particles, slots())) {}
+  Afloat(const Vec3d& size, double spacing, Water its) : body(fixtures::body({.size = size, .spacing = spacing})), water(body.particles, slots(), its, 0) {}
   std::vector<std::uint32_t> slots() const { return {body.particles.slot_of().begin(), body.particles.slot_of().end()}; }
   double force() {
     body.particles.force_density = VectorArray(body.particles.slots(), 0);

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "base/contract.hpp"
 
@@ -12,26 +13,43 @@ double layer_damping(double depth, double thickness, double wave_speed, double r
   return 3 * wave_speed * std::log(1 / reflection) / thickness * share * share;
 }
 
-Absorbing::Absorbing(std::vector<std::uint32_t> slots, std::span<const double> damping) : slots_(std::move(slots)), forces_(slots_.size()) {
+Absorbing::Absorbing(std::vector<std::uint32_t> slots, std::span<const double> damping) : slots_(std::move(slots)), eights_(slots_), forces_(eights_.places()) {
   EXPECTS(slots_.size() == damping.size());
-  for (const double each : damping) damping_.push_back({each, each, each});
+  for (std::vector<double>& along : damping_) {
+    along.assign(eights_.places(), 0.0);
+    for (std::size_t k = 0; k < slots_.size(); ++k) along[eights_.place(k)] = damping[k];
+  }
 }
 
 void Absorbing::leave_out(std::span<const std::uint32_t> constrained, std::size_t axis) {
   for (std::size_t k = 0; k < slots_.size(); ++k)
-    if (std::binary_search(constrained.begin(), constrained.end(), slots_[k])) damping_[k][axis] = 0;
+    if (std::binary_search(constrained.begin(), constrained.end(), slots_[k])) damping_[axis][eights_.place(k)] = 0;
+}
+
+Vec3d Absorbing::damping(std::size_t k) const {
+  const std::size_t place = eights_.place(k);
+  return {damping_[0][place], damping_[1][place], damping_[2][place]};
+}
+
+AbsorbingView Absorbing::view(Particles& particles, double dt) {
+  return {particles.view(),
+          eights_.view(),
+          particles.force_density.writable_pointers(),
+          {damping_[0].data(), damping_[1].data(), damping_[2].data()},
+          forces_.view(),
+          particles.density(),
+          dt};
 }
 
 void Absorbing::damp(Particles& particles, double dt) {
-  const double density = particles.density();
-  const Resistance sum = exact_sum_over_eights(particles.share().ranks(), slots_, [&](std::size_t k) {
-    const std::size_t slot = slots_[k];
-    const Vec3d before = particles.force_density.at(slot), velocity = particles.velocity.at(slot);
-    Vec3d after{};
-    for (std::size_t c = 0; c < 3; ++c) after[c] = damped(before[c], velocity[c], density, damping_[k][c], dt);
-    particles.force_density.set(slot, after);
-    return forces_.record_force(k, particles.volume(slot) * (after - before), dt * velocity);
-  });
+  using Pack = fccda::NativePack;
+  const AbsorbingView layer = view(particles, dt);
+  record(exact_sum_of_eights(particles.share().ranks(), eights_.count(), [&](std::size_t eight) {
+    return resistance_of_eight<Pack>(eight, [&](std::size_t place) { return damp_pack<Pack>(layer, place); });
+  }));
+}
+
+void Absorbing::record(const Resistance& sum) {
   account.record_force(sum.force, {});
   account.add({}, sum.work);
 }

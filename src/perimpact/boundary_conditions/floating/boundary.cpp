@@ -34,9 +34,7 @@ Floating make_boundary(const FloatingSetup& floating, const BoundarySite& site) 
                                    site.of.body.name, particles.material_density(), floating.density));
     water.level = *floats_at;
   }
-  std::optional<WaterColumns> columns;
-  if (needs_columns) columns.emplace(particles, slots);
-  return Floating(std::move(slots), water, floats_at.value_or(std::numeric_limits<double>::quiet_NaN()), std::move(columns));
+  return Floating(particles, std::move(slots), water, floats_at.value_or(std::numeric_limits<double>::quiet_NaN()));
 }
 
 }  // namespace perimpact

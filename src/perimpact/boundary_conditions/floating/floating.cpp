@@ -3,19 +3,27 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <utility>
+
+#include "base/parallel.hpp"
 
 namespace perimpact {
 
 namespace {
 
-struct Hydrostatics {
-  ForceSum forces{};
-  double potential = 0;  // [J]
-  Hydrostatics& operator+=(const Hydrostatics& other) {
-    forces += other.forces, potential += other.potential;
-    return *this;
+using fccda::byte_lanes;
+using Pack = fccda::NativePack;
+
+Hydrostatics lift_eight(const WaterView& body, std::size_t eight, bool with_squares) {
+  double lift[byte_lanes], potential[byte_lanes], squared = 0;
+  for (std::size_t lane = 0; lane < byte_lanes; lane += fccda::lanes<Pack>) {
+    const HydrostaticsOfPack<Pack> of = lift_pack<Pack>(body, eight * byte_lanes + lane);
+    fccda::store(lift + lane, of.lift), fccda::store(potential + lane, of.potential);
   }
-};
+  if (with_squares)
+    for (const double force : lift) squared += force * force;
+  return {sum_of_lanes(lift), sum_of_lanes(potential), squared};
+}
 
 }  // namespace
 
@@ -41,23 +49,44 @@ std::optional<double> floating_level(const Particles& particles, std::span<const
   return 0.5 * (low + high);
 }
 
-Floating::Floating(std::vector<std::uint32_t> slots, const Water& water, double floats_at, std::optional<WaterColumns> columns)
-    : slots_(std::move(slots)),
-      moves_(slots_.size(), {true, true, true}),
-      water_(water),
-      floats_at_(floats_at),
-      columns_(std::move(columns)),
-      forces_(resists() ? slots_.size() : 0) {
-  if (water_.entrained_depth != 0) wetness_.assign(columns_->count(), 0), intact_.assign(slots_.size(), 1);
+Floating::Floating(const Particles& particles, std::vector<std::uint32_t> slots, const Water& water, double floats_at)
+    : slots_(std::move(slots)), eights_(slots_), water_(water), floats_at_(floats_at), exposed_(eights_.count(), 0), forces_(resists() ? eights_.places() : 0) {
+  for (std::vector<std::uint8_t>& along : moves_) along.assign(eights_.lanes().begin(), eights_.lanes().end());
+  if (!particles.lattice())
+    for (std::size_t slot = 0; slot < particles.slots(); ++slot) heights_.push_back(particles.size_of(slot));
+  if (water_.entrained_depth != 0 || water_.dry_top != 0) columns_.emplace(particles, eights_);
+  if (water_.entrained_depth != 0) wetness_.assign(columns_->count(), 0), intact_.assign(eights_.places(), 1);
   if (water_.dry_top == 0) return;
-  dry_tops_.assign(slots_.size(), 0);
+  is_dry_.assign(eights_.places(), 0);
   for (std::size_t c = 0; c < columns_->count(); ++c)
-    if (columns_->top(c) != WaterColumns::none) dry_tops_[columns_->top(c)] = 1;
+    if (columns_->top(c) != WaterColumns::none) is_dry_[columns_->top(c)] = 1;
+}
+
+WaterView Floating::view(Particles& particles) {
+  const auto or_null = [](auto& numbers) { return numbers.empty() ? nullptr : numbers.data(); };
+  return {particles.view(),
+          eights_.view(),
+          columns_ ? columns_->view() : ColumnsView{},
+          particles.force_density.writable_pointers(),
+          {moves_[0].data(), moves_[1].data(), moves_[2].data()},
+          exposed_.data(),
+          or_null(is_dry_),
+          or_null(intact_),
+          or_null(wetness_),
+          forces_.view(),
+          or_null(heights_),
+          particles.spacing(),
+          particles.density(),
+          particles.material_density() * water_.gravity,
+          water_};
 }
 
 void Floating::leave_out(std::span<const std::uint32_t> constrained, std::size_t axis) {
   for (std::size_t k = 0; k < slots_.size(); ++k)
-    if (std::binary_search(constrained.begin(), constrained.end(), slots_[k])) moves_[k][axis] = false;
+    if (std::binary_search(constrained.begin(), constrained.end(), slots_[k])) {
+      std::uint8_t& moves = moves_[axis][eights_.place(k) / byte_lanes];
+      moves = static_cast<std::uint8_t>(moves & ~(1u << slots_[k] % byte_lanes));
+    }
 }
 
 void Floating::update_exposed_surface(const Particles& particles, const Family& family, std::span<const std::uint32_t> broken_ends) {
@@ -68,20 +97,31 @@ void Floating::update_exposed_surface(const Particles& particles, const Family& 
     exposure_.emplace(particles, family, broken_ends);
   else
     newly_damaged = exposure_->update(family, broken_ends);
-  if (water_.entrained_depth != 0) update_intact_share(family, broken_ends);
-  if (!has_dry_top()) return;
-  fccda::ExactSums<double> loss;  // [J]
+  // those of the slots of this boundary condition, by their numbers in the list
+  std::vector<std::size_t> damaged;
   if (is_first) {
-    for (std::size_t k = 0; k < slots_.size(); ++k)
-      if (exposure_->has_lost(slots_[k])) loss.add(flood(columns_->column_of(k), particles));
+    for (std::size_t k = 0; k < slots_.size(); ++k) {
+      if (exposure_->is_exposed(slots_[k])) expose(k);
+      if (exposure_->has_lost(slots_[k])) damaged.push_back(k);
+    }
   } else {
     for (const std::uint32_t slot : newly_damaged) {
       const auto found = std::lower_bound(slots_.begin(), slots_.end(), slot);
-      if (found != slots_.end() && *found == slot) loss.add(flood(columns_->column_of(static_cast<std::size_t>(found - slots_.begin())), particles));
+      if (found != slots_.end() && *found == slot) damaged.push_back(static_cast<std::size_t>(found - slots_.begin()));
     }
+    for (const std::size_t k : damaged) expose(k);
   }
+  if (water_.entrained_depth != 0) update_intact_share(family, broken_ends);
+  if (!has_dry_top()) return;
+  fccda::ExactSums<double> loss;  // [J]
+  for (const std::size_t k : damaged) loss.add(flood(columns_->column_of(slots_[k]), particles));
   record_flooding(value_of_all(particles.share().ranks(), loss));
   flood_deep_columns(particles);
+}
+
+void Floating::expose(std::size_t k) {
+  std::uint8_t& exposed = exposed_[eights_.place(k) / byte_lanes];
+  exposed = static_cast<std::uint8_t>(exposed | 1u << slots_[k] % byte_lanes);
 }
 
 void Floating::update_intact_share(const Family& family, std::span<const std::uint32_t> broken_ends) {
@@ -92,17 +132,21 @@ void Floating::update_intact_share(const Family& family, std::span<const std::ui
   for (std::size_t eight = 0; eight < broken_ends.size(); ++eight)
     if (broken_ends[eight] != broken_ends_[eight]) has_changed[eight] = 1, broken_ends_[eight] = broken_ends[eight], any = true;
   if (!any) return;
-  for_each_block(slots_.size(), [&](std::size_t begin, std::size_t end, std::size_t) {
-    for (std::size_t k = begin; k < end; ++k)
-      if (has_changed[slots_[k] / fccda::byte_lanes] != 0 && exposure_->has_lost(slots_[k])) intact_[k] = 1 - family.damage(slots_[k]);
+  fccda::parallel_for(static_cast<std::ptrdiff_t>(eights_.count()), [&](std::ptrdiff_t number) {
+    const auto eight = static_cast<std::size_t>(number);
+    const std::size_t first = std::size_t{eights_.numbers()[eight]} * byte_lanes;
+    if (has_changed[first / byte_lanes] == 0) return;
+    fccda::for_each_bit(eights_.lanes()[eight], [&](std::size_t lane) {
+      if (exposure_->has_lost(first + lane)) intact_[eight * byte_lanes + lane] = 1 - family.damage(first + lane);
+    });
   });
 }
 
 double Floating::flood(std::size_t column, const Particles& particles) {
   const std::uint32_t top = columns_->top(column);
-  if (top == WaterColumns::none || dry_tops_[top] == 0) return 0;
-  dry_tops_[top] = 0;
-  const std::size_t slot = slots_[top];
+  if (top == WaterColumns::none || is_dry_[top] == 0) return 0;
+  is_dry_[top] = 0;
+  const std::size_t slot = eights_.view().slot(top);
   const double height = particles.size_of(slot), above = std::max(water_.immersion(particles.position.at(slot).z, height) - 1, 0.0);
   return 0.5 * water_.density * water_.gravity * particles.volume(slot) * height * above * above;
 }
@@ -118,73 +162,49 @@ void Floating::flood_deep_columns(const Particles& particles) {
   const auto each_column = [](std::size_t c) { return c; };  // the particles of a column are in several eights
   record_flooding(exact_sum_over_eights(particles.share().ranks(), columns_->count(), each_column, [&](std::size_t c) {
     const std::uint32_t top = columns_->top(c);
-    if (top == WaterColumns::none || dry_tops_[top] == 0) return 0.0;
-    const double depth = water_.level - particles.position.at(slots_[top]).z - 0.5 * particles.size_of(slots_[top]);
+    if (top == WaterColumns::none || is_dry_[top] == 0) return 0.0;
+    const std::size_t slot = eights_.view().slot(top);
+    const double depth = water_.level - particles.position.at(slot).z - 0.5 * particles.size_of(slot);
     return depth > water_.dry_top ? flood(c, particles) : 0.0;
   }));
 }
 
+Hydrostatics Floating::lift(Particles& particles, bool with_squares) {
+  const WaterView body = view(particles);
+  const Hydrostatics sum =
+      exact_sum_of_eights(particles.share().ranks(), eights_.count(), [&](std::size_t eight) { return lift_eight(body, eight, with_squares); });
+  record(sum);
+  return sum;
+}
+
 ForceSum Floating::static_hydrostatics(Particles& particles) {
-  const double weight = particles.material_density() * water_.gravity, lift = water_.density * water_.gravity;  // [N/m³]
-  const Hydrostatics sum = exact_sum_over_eights(particles.share().ranks(), slots_, [&](std::size_t k) {
-    const std::size_t slot = slots_[k];
-    const double z = particles.position.at(slot).z, height = particles.size_of(slot), volume = particles.volume(slot);
-    const bool is_dry = has_dry_top() && dry_tops_[k] != 0;
-    const double t = water_.immersion(z, height);
-    const double column = t <= 0 ? 0 : is_dry || t < 1 ? 0.5 * t * t : t - 0.5;  // ∫ S dz/Δ from the particle upward
-    Vec3d density = particles.force_density.at(slot);
-    const double net = lift * (is_dry ? std::max(t, 0.0) : water_.submerged(z, height)) - weight;
-    density.z += net;
-    particles.force_density.set(slot, density);
-    const double force = volume * net;
-    return Hydrostatics{{{0, 0, force}, force * force}, volume * (weight * z + lift * height * column)};
-  });
+  const Hydrostatics sum = lift(particles, true);
+  return {{0, 0, sum.lift}, sum.squared};
+}
+
+void Floating::apply_hydrostatics(Particles& particles) { lift(particles, false); }
+
+void Floating::record(const Hydrostatics& sum) {
+  lift_z_ = sum.lift;
   if (has_begun_) {
     account.add({}, potential_ - sum.potential);
     weight_buoyancy_work_ += potential_ - sum.potential;
   }
   potential_ = sum.potential, has_begun_ = true;
-  return sum.forces;
-}
-
-void Floating::update_wetness(const Particles& particles) {
-  for_each_block(columns_->count(), [&](std::size_t begin, std::size_t end, std::size_t) {
-    for (std::size_t c = begin; c < end; ++c) {
-      wetness_[c] = 0;
-      for (const std::uint32_t k : columns_->particles_of(c))
-        wetness_[c] = std::max(wetness_[c], water_.submerged(particles.position.at(slots_[k]).z, particles.size_of(slots_[k])));
-    }
-  });
-}
-
-double Floating::entrained(std::size_t k, double height, double wet) const {
-  if (water_.entrained_depth == 0) return water_.added_mass * water_.density * wet;
-  const std::size_t column = columns_->column_of(k);
-  const double layers = static_cast<double>(columns_->particles_of(column).size());
-  return water_.density * water_.entrained_depth * wetness_[column] * intact_[k] / (layers * height);
 }
 
 Vec3d Floating::resist(Particles& particles, double dt) {
   if (!resists()) return {};
-  if (water_.entrained_depth != 0) update_wetness(particles);
-  const double density = particles.density();
-  const Resistance sum = exact_sum_over_eights(particles.share().ranks(), slots_, [&](std::size_t k) {
-    const std::size_t slot = slots_[k];
-    const Vec3d velocity = particles.velocity.at(slot);
-    const bool is_exposed = exposure_ && exposure_->is_exposed(slot);
-    if (!is_exposed && water_.damping == 0 && !adds_mass()) return forces_.record_force(k, {}, dt * velocity);  // most particles of a thick body
-    const Vec3d before = particles.force_density.at(slot);
-    const double height = particles.size_of(slot), wet = water_.submerged(particles.position.at(slot).z, height);
-    const bool drags = wet > 0 && is_exposed;
-    const double damping =
-        water_.damping + (drags ? 0.5 * water_.density * water_.drag * height * height * wet * norm(velocity) / (density * particles.volume(slot)) : 0);
-    Vec3d after = before;
-    for (std::size_t c = 0; c < 3; ++c)
-      if (moves_[k][c]) after[c] = damped(before[c], velocity[c], density, damping, dt);
-    if (moves_[k][2]) after.z *= density / (density + entrained(k, height, wet));
-    particles.force_density.set(slot, after);
-    return forces_.record_force(k, particles.volume(slot) * (after - before), dt * velocity);
-  });
+  const WaterView body = view(particles);
+  if (body.wetness)
+    fccda::parallel_for(static_cast<std::ptrdiff_t>(columns_->count() / fccda::lanes<Pack>),
+                        [&](std::ptrdiff_t pack) { wet_pack<Pack>(body, static_cast<std::size_t>(pack) * fccda::lanes<Pack>); });
+  return record(exact_sum_of_eights(particles.share().ranks(), eights_.count(), [&](std::size_t eight) {
+    return resistance_of_eight<Pack>(eight, [&](std::size_t place) { return resist_pack<Pack>(body, place, dt); });
+  }));
+}
+
+Vec3d Floating::record(const Resistance& sum) {
   account.add({}, sum.work);
   drag_work_ += sum.work;
   return sum.force;

@@ -20,39 +20,31 @@
 #include <vector>
 
 #include "perimpact/boundary_conditions/actions/damped.hpp"
+#include "perimpact/boundary_conditions/actions/listed_eights.hpp"
 #include "perimpact/boundary_conditions/actions/reaction_ledger.hpp"
 #include "perimpact/boundary_conditions/actions/slot_sum.hpp"
 #include "perimpact/boundary_conditions/floating/setup.hpp"
 #include "perimpact/boundary_conditions/floating/water_columns.hpp"
+#include "perimpact/boundary_conditions/floating/water_kernels.hpp"
 #include "perimpact/family/exposure.hpp"
 #include "perimpact/particles/particles.hpp"
 
 namespace perimpact {
 
-/// Still water and its effect on particles.
-struct Water {
-  double level;                ///< [m] z of the free surface
-  double density;              ///< [kg/m³]
-  double gravity;              ///< [m/s²] along -z
-  double drag;                 ///< [-] C_d
-  double added_mass;           ///< [-] C_a
-  double damping;              ///< [1/s] α
-  double entrained_depth = 0;  ///< [m] d
-  double dry_top = 0;          ///< [m] depth below the level down to which the top of a whole column stays dry
-
-  /// t of a particle of that height [m] at z [m]: 0 where it just emerges, 1 where it just submerges.
-  double immersion(double z, double height) const { return (level - z) / height + 0.5; }
-  /// Its submerged share.
-  double submerged(double z, double height) const { return std::clamp(immersion(z, height), 0.0, 1.0); }
-};
-
 /// Equilibrium level [m] of the particles at their current positions, with zero resultant force. Empty if they are heavier than water.
 std::optional<double> floating_level(const Particles& particles, std::span<const std::uint32_t> slots, const Water& water);
 
+/// Sums of weight and buoyancy over particles.
+struct Hydrostatics {
+  double lift = 0;       ///< [N] along z
+  double potential = 0;  ///< [J]
+  double squared = 0;    ///< [N²] of the lift of each particle; 0 where it is not asked for
+};
+
 class Floating {
  public:
-  /// `floats_at` [m]: floating_level() of the slots, NaN if they sink. The columns are needed for an entrained depth and a dry top.
-  Floating(std::vector<std::uint32_t> slots, const Water& water, double floats_at, std::optional<WaterColumns> columns = {});
+  /// `floats_at` [m]: floating_level() of the slots, NaN if they sink. An entrained depth and a dry top need a body on a lattice.
+  Floating(const Particles& particles, std::vector<std::uint32_t> slots, const Water& water, double floats_at);
 
   std::span<const std::uint32_t> slots() const { return slots_; }
   const Water& water() const { return water_; }
@@ -69,11 +61,14 @@ class Floating {
 
   /// Adds weight and buoyancy to the force densities, and records their work.
   ForceSum static_hydrostatics(Particles& particles);
-  void apply_hydrostatics(Particles& particles) { lift_ = static_hydrostatics(particles).force; }
+  void apply_hydrostatics(Particles& particles);
 
   /// Applies drag, damping and added mass for the next step of dt [s], after all other forces except constraints. Returns the force [N].
   Vec3d resist(Particles& particles, double dt);
-  void apply_resistance(Particles& particles, double dt) { account.record_force(lift_ + resist(particles, dt), {}); }
+  void apply_resistance(Particles& particles, double dt) { account.record_force(Vec3d{0, 0, lift_z_} + resist(particles, dt), {}); }
+
+  /// What the kernels of water read and write.
+  WaterView view(Particles& particles);
   Vec3d conjugate_displacement(const Particles&, double) const { return {}; }  ///< the work is that of a potential
 
   /// Other particles float than in the last step: the change of the potential until the next step is no work.
@@ -92,38 +87,45 @@ class Floating {
 
   template <class Visitor>
   void visit_state(const std::string& name, Visitor&& visit) {
-    if (has_dry_top()) visit(name + ".dry_tops", ListNumbers(std::span<std::uint8_t>(dry_tops_), slots_));
+    if (has_dry_top())
+      visit_by_slot(
+          eights_.place_of(), 1, [&](std::size_t place, std::size_t) -> std::uint8_t& { return is_dry_[place]; },
+          [&](std::span<std::uint8_t> numbers) { visit(name + ".dry_tops", ListNumbers(numbers, slots_)); });
   }
   template <class Visitor>
   void visit_record(const std::string& name, Visitor&& visit) {
     if (has_dry_top()) visit(name + ".flooding", std::span<double>(&flooding_dissipation_, 1));
     account.visit_record(name, visit);
-    forces_.visit_record(name, slots_, visit);
+    forces_.visit_record(name, slots_, eights_, visit);
     double all[] = {potential_, has_begun_ ? 1.0 : 0.0, weight_buoyancy_work_, drag_work_};
     visit(name + ".water", std::span<double>(all));
     potential_ = all[0], has_begun_ = all[1] != 0, weight_buoyancy_work_ = all[2], drag_work_ = all[3];
   }
 
  private:
-  bool adds_mass() const { return water_.added_mass != 0 || water_.entrained_depth != 0; }
-  bool resists() const { return water_.drag != 0 || water_.damping != 0 || adds_mass(); }
-  void update_wetness(const Particles& particles);
-  double entrained(std::size_t k, double height, double wet) const;  // [kg/m³]
-  double flood(std::size_t column, const Particles& particles);      // [J] that the water loses
+  bool resists() const { return water_.drag != 0 || water_.damping != 0 || water_.adds_mass(); }
+  Hydrostatics lift(Particles& particles, bool with_squares);
+  void record(const Hydrostatics& sum);
+  Vec3d record(const Resistance& sum);                           // the force
+  double flood(std::size_t column, const Particles& particles);  // [J] that the water loses
+  void expose(std::size_t k);
   void update_intact_share(const Family& family, std::span<const std::uint32_t> broken_ends);
   void record_flooding(double loss);
 
   std::vector<std::uint32_t> slots_;
-  std::vector<std::array<bool, 3>> moves_;  // of each slot along x, y, z
+  ListedEights eights_;
+  std::array<std::vector<std::uint8_t>, 3> moves_;  // of each eight, along x, y, z
   Water water_;
   double floats_at_;
-  Vec3d lift_{};  // [N] of weight and buoyancy, at the latest positions
+  double lift_z_ = 0;  // [N] of weight and buoyancy, at the latest positions
   std::optional<Exposure> exposure_;
+  std::vector<std::uint8_t> exposed_;  // of each eight: what exposure_ says of the particles
   std::optional<WaterColumns> columns_;
+  std::vector<double> heights_;                      // [m] by slot; empty on a lattice
   std::vector<double> wetness_;                      // W of each column; empty without an entrained depth
-  std::vector<double> intact_;                       // 1 - D of each slot; empty without an entrained depth
-  std::vector<std::uint32_t> broken_ends_;           // of each eight, when intact_ was updated
-  std::vector<std::uint8_t> dry_tops_;               // 1 for the top of a column that is dry there, of each slot
+  std::vector<double> intact_;                       // 1 - D by place; empty without an entrained depth
+  std::vector<std::uint32_t> broken_ends_;           // of each eight of the body, when intact_ was updated
+  std::vector<std::uint8_t> is_dry_;                 // by place, 1 for the top of a column that is dry there; empty without a dry top
   ForcesOnTheWay forces_;                            // of drag, damping and added mass; empty without them
   double potential_ = 0;                             // [J] at the latest instant
   bool has_begun_ = false;                           // potential_ is known

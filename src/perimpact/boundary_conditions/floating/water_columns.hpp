@@ -9,28 +9,41 @@
 #include <span>
 #include <vector>
 
+#include "perimpact/boundary_conditions/actions/listed_eights.hpp"
 #include "perimpact/particles/particles.hpp"
 
 namespace perimpact {
 
+/// Columns as kernels see them.
+struct ColumnsView {
+  std::size_t count = 0;
+  const std::uint32_t* begin = nullptr;    ///< of the eights of each stack in `members`
+  const std::uint32_t* members = nullptr;  ///< eights above one another, by their numbers in the list, upward
+  const double* layers = nullptr;          ///< number of particles of each column
+
+  template <class Visit>
+  void visit_pointers(const Visit& visit) {
+    visit(begin), visit(members), visit(layers);
+  }
+};
+
+/// Columns are numbered by the slots of the lowest layer of the lattice: column c has the slots c, c + count(), …. Particles are named by their places.
 class WaterColumns {
  public:
   static constexpr std::uint32_t none = 0xffffffff;
 
-  /// Of a body on a lattice; `slots` ascending. Particles are named by their index in `slots`.
-  WaterColumns(const Particles& particles, std::span<const std::uint32_t> slots);
+  /// Of a body on a lattice.
+  WaterColumns(const Particles& particles, const ListedEights& eights);
 
   std::size_t count() const { return tops_.size(); }
-  std::size_t column_of(std::size_t particle) const { return column_of_[particle]; }
-  /// Particles of a column, upward.
-  std::span<const std::uint32_t> particles_of(std::size_t column) const { return {members_.data() + begin_[column], begin_[column + 1] - begin_[column]}; }
+  std::size_t column_of(std::size_t slot) const { return slot % tops_.size(); }
   /// The uppermost particle, if it is also that of the body; else none.
   std::uint32_t top(std::size_t column) const { return tops_[column]; }
+  ColumnsView view() const { return {tops_.size(), begin_.data(), members_.data(), layers_.data()}; }
 
  private:
-  std::vector<std::uint32_t> column_of_, members_;
-  std::vector<std::size_t> begin_;
-  std::vector<std::uint32_t> tops_;
+  std::vector<std::uint32_t> tops_, begin_, members_;
+  std::vector<double> layers_;
 };
 
 }  // namespace perimpact
