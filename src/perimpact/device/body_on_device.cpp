@@ -75,6 +75,7 @@ DeviceTraffic BodyOnDevice::traffic_of_step(Body& body, const SlotsOnHost& on_ho
   count(traffic.downloaded, on_host.loaded - on_host.constrained, motion);
   count(traffic.downloaded, on_host.loaded, force);
   count(traffic.uploaded, on_host.loaded, force);
+  traffic.downloaded += on_host.broken * (number + sizeof(double) + sizeof(std::uint32_t) * device::words_of_slot(body.family.offsets().size()));
   if (PlasticForce* plastic = body.internal.plastic()) {
     traffic.downloaded += (sizeof(double) + sizeof(std::uint8_t)) * particles.slots();  // pressure, and whether the stress is known
     if (plastic->law().needs_dilatation()) {                                            // then it is known of all

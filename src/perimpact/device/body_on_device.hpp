@@ -1,7 +1,7 @@
 /// A body whose advance and internal forces, with bond failure, a device computes.
 ///
 /// Positions, velocities and force densities stay on the device. What the host reads of them is brought to its arrays before, and what it changes is stated:
-/// boundary conditions, contact and outputs run on the host. Bonds stay on the device too, and travel in steps in which some break.
+/// boundary conditions, contact and outputs run on the host. Bonds stay on the device too; those of slots in which some break travel.
 #pragma once
 
 #include <cstddef>
@@ -27,12 +27,13 @@ struct DeviceTraffic {
   bool operator==(const DeviceTraffic&) const = default;
 };
 
-/// Numbers of slots of a body that the host reads and changes in a step.
+/// Numbers of slots of a body that the host reads and changes in a step, and of those whose bonds it learns.
 struct SlotsOnHost {
   std::size_t constrained = 0;  ///< of prescribed displacement
   std::size_t due = 0;          ///< for which contact with impactors is evaluated; others than the loaded ones
   std::size_t displaced = 0;    ///< by contact, of those due
   std::size_t loaded = 0;       ///< on which boundary conditions act, with the constrained ones; all, with contact between fragments
+  std::size_t broken = 0;       ///< with bonds that break in the step
 };
 
 class BodyOnDevice {
@@ -61,7 +62,7 @@ class BodyOnDevice {
   /// To be called when the host may have changed any part of the state of the body, after to_host().
   void renew();
 
-  /// In a step in which no bond breaks, no particle comes near its yield surface, and the host reads and changes these slots. Neither this step nor that
+  /// In a step in which no particle comes near its yield surface, and the host reads and changes these slots. Neither this step nor that
   /// before is sampled.
   static DeviceTraffic traffic_of_step(Body& body, const SlotsOnHost& on_host = {});
 

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <numeric>
 #include <optional>
 #include <type_traits>
 #include <utility>
@@ -33,7 +34,8 @@ BodyPasses::BodyPasses(Device& device, Body& body)
       fracture_(device, slots_),
       found_(device, slots_),
       is_hot_(device, slots_),
-      any_broken_(device, 1) {
+      broken_count_(device, 1),
+      broken_(device, slots_) {
   const auto add = [&](const auto& array) { mirrors_.add(array); };
   body.particles.visit_arrays(add);
   add(body.family.offsets());
@@ -95,7 +97,7 @@ void BodyPasses::for_each_visit(const Breaking& breaking, const Body& body, cons
 }
 
 void BodyPasses::pass(OrdinaryStateForce& force, Body& body, double dt, bool with_energy, SumsOfEights& sums) {
-  lower_flag();
+  forget_broken();
   const Findings findings = this->findings();
   const bool has_dilatation = force.law().needs_dilatation();
   force.with_view_of_lattice(body.particles, bonds(body.family), rows_, dt, [&](const auto& view_of_host, const auto& corrections_of_host) {
@@ -123,7 +125,7 @@ void BodyPasses::pass(OrdinaryStateForce& force, Body& body, double dt, bool wit
     });
   });
   forces_.changed_on_device();
-  if (is_flag_raised()) enter_broken(body.family, sums);
+  enter_broken(body.family, sums);
   const std::optional<BreakingRule>& rule = force.breaking().rule();
   if (with_energy) enter_energy(sums, rule && rule->hardening > 0 && !has_dilatation);
 }
@@ -134,7 +136,7 @@ void BodyPasses::pass(PlasticForce& force, Body& body, double dt, bool with_ener
     const PlasticForce::Evaluation evaluation = force.evaluation();
     if (again) forces_.to_host(), motion_.to_host();  // as enter_return() reads them
     upload_flow(evaluation, again);
-    lower_flag();
+    forget_broken();
     const PlasticSlots slots = plastic_slots(evaluation, body.particles, !again || with_energy);
     launch(force, slots, body, {.may_break = !again && force.breaking().is_armed(), .dt = dt});
     enter_stress(evaluation);
@@ -142,7 +144,7 @@ void BodyPasses::pass(PlasticForce& force, Body& body, double dt, bool with_ener
       enter_return(evaluation, slots, body.particles, dt);
     else
       forces_.changed_on_device();
-    if (is_flag_raised()) enter_broken(body.family, sums);
+    enter_broken(body.family, sums);
     if (with_energy) enter_density(body.particles, sums);
   });
 }
@@ -242,17 +244,11 @@ void BodyPasses::enter_density(const Particles& particles, SumsOfEights& sums) {
 
 BondsOfSlots BodyPasses::bonds(const Family& family) const { return {words_.data(), mirrors_.at(family.offsets().data()), rows_}; }
 
-Findings BodyPasses::findings() const { return {found_.data(), energy_.data(), fracture_.data(), any_broken_.data()}; }
+Findings BodyPasses::findings() const { return {found_.data(), energy_.data(), fracture_.data(), {broken_count_.data(), broken_.data()}}; }
 
-void BodyPasses::lower_flag() {
-  constexpr std::uint32_t no = 0;
-  device_->upload(any_broken_.data(), &no, sizeof no);
-}
-
-bool BodyPasses::is_flag_raised() const {
-  std::uint32_t any = 0;
-  device_->download(&any, any_broken_.data(), sizeof any);
-  return any != 0;
+void BodyPasses::forget_broken() {
+  constexpr std::uint32_t none = 0;
+  device_->upload(broken_count_.data(), &none, sizeof none);
 }
 
 void BodyPasses::upload_bonds(const Family& family) {
@@ -268,26 +264,36 @@ void BodyPasses::upload_bonds(const Family& family) {
   device_->upload(words_.data(), of_slots.data(), of_slots.size() * sizeof(std::uint32_t));
 }
 
-/// The bonds that broke, in the family and the sums.
+/// The bonds that broke, in the family and the sums. Only those of slots where some did travel.
 void BodyPasses::enter_broken(Family& family, SumsOfEights& sums) {
+  std::uint32_t count = 0;
+  device_->download(&count, broken_count_.data(), sizeof count);
+  if (count == 0) return;
   const std::size_t words = words_of_slot(rows_);
-  std::vector<Found> found(slots_);
-  std::vector<double> fracture(slots_);
-  std::vector<std::uint32_t> of_slots(words_of(slots_, rows_));
-  device_->download(found.data(), found_.data(), found.size() * sizeof(Found));
-  device_->download(fracture.data(), fracture_.data(), fracture.size() * sizeof(double));
-  device_->download(of_slots.data(), words_.data(), of_slots.size() * sizeof(std::uint32_t));
-  for (std::size_t slot = 0; slot < slots_; ++slot) {
-    if (found[slot] != Found::broken) continue;
-    const std::size_t eight = slot / byte_lanes, lane = slot % byte_lanes;
+  if (count > most_broken_) {
+    most_broken_ = std::min(std::max<std::size_t>(count, 2 * most_broken_), slots_);
+    words_of_broken_ = DeviceArray<std::uint32_t>(*device_, words * most_broken_);
+    fracture_of_broken_ = DeviceArray<double>(*device_, most_broken_);
+  }
+  device_->launch(GatherBondsKernel{broken_.data(), count, words, words_.data(), fracture_.data(), words_of_broken_.data(), fracture_of_broken_.data()}, count);
+  std::vector<std::uint32_t> slots(count), of_slots(words * count);
+  std::vector<double> fracture(count);
+  device_->download(slots.data(), broken_.data(), slots.size() * sizeof(std::uint32_t));
+  device_->download(of_slots.data(), words_of_broken_.data(), of_slots.size() * sizeof(std::uint32_t));
+  device_->download(fracture.data(), fracture_of_broken_.data(), fracture.size() * sizeof(double));
+  std::vector<std::uint32_t> places(count);
+  std::iota(places.begin(), places.end(), 0u);
+  std::sort(places.begin(), places.end(), [&](std::uint32_t a, std::uint32_t b) { return slots[a] < slots[b]; });  // the order in which the host adds
+  for (const std::uint32_t place : places) {
+    const std::size_t eight = slots[place] / byte_lanes, lane = slots[place] % byte_lanes;
     std::uint8_t* const bytes = family.bytes(eight);
     for (std::size_t row = 0; row < rows_; ++row) {
-      const std::uint32_t word = of_slots[first_word(slot, words) + row / bonds_of_word * slots_of_group];
+      const std::uint32_t word = of_slots[row / bonds_of_word * count + place];
       const auto is_intact = static_cast<unsigned>(word >> (row % bonds_of_word)) & 1u, was_intact = (unsigned{bytes[row]} >> lane) & 1u;
       sums.broken_ends[eight] += was_intact - is_intact;
       bytes[row] = static_cast<std::uint8_t>((bytes[row] & ~(1u << lane)) | (is_intact << lane));
     }
-    sums.fracture_energy[eight] += fracture[slot];
+    sums.fracture_energy[eight] += fracture[place];
   }
 }
 

@@ -35,8 +35,7 @@ class BodyPasses {
   void enter_density(const Particles& particles, SumsOfEights& sums);
   BondsOfSlots bonds(const Family& family) const;
   Findings findings() const;
-  void lower_flag();
-  bool is_flag_raised() const;
+  void forget_broken();
   template <class Visit>
   void for_each_visit(const Breaking& breaking, const Body& body, const Visit& visit);
   void upload_bonds(const Family& family);
@@ -53,7 +52,10 @@ class BodyPasses {
   DeviceArray<double> travel_, energy_, fracture_;
   DeviceArray<Found> found_;
   DeviceArray<std::uint8_t> is_hot_;
-  DeviceArray<std::uint32_t> any_broken_;
+  DeviceArray<std::uint32_t> broken_count_, broken_;  // a GrowingList
+  std::size_t most_broken_ = 0;                       // room in the arrays of a list, in slots
+  DeviceArray<std::uint32_t> words_of_broken_;
+  DeviceArray<double> fracture_of_broken_;
 };
 
 }  // namespace perimpact::device

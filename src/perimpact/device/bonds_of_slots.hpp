@@ -56,4 +56,21 @@ class BondsOfSlots : public BondsAlongStencil<std::uint32_t> {
   std::uint32_t words_of_slot_;
 };
 
+/// From the words of all slots to those of the slots in a list: words n of all, then words n + 1; and what their broken bonds released.
+struct GatherBondsKernel {
+  const std::uint32_t* slots;  // of the list
+  std::size_t count;
+  std::size_t words_of_slot;
+  const std::uint32_t* words;
+  const double* fracture;  // [J] by slot
+  std::uint32_t* words_of_list;
+  double* fracture_of_list;
+
+  FCCDA_HD void operator()(std::size_t place) const {
+    const std::size_t slot = slots[place], first = first_word(slot, words_of_slot);
+    for (std::size_t n = 0; n < words_of_slot; ++n) words_of_list[n * count + place] = words[first + n * slots_of_group];
+    fracture_of_list[place] = fracture[slot];
+  }
+};
+
 }  // namespace perimpact::device

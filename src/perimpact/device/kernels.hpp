@@ -1,5 +1,6 @@
 /// The kernels of a device: each is a trivially copyable struct of numbers and pointers into the memory of the device, whose call operator does the work
 /// of one thread. A thread has one slot, or one block of slots, and writes only what belongs to it, so that results do not depend on the order of threads.
+/// (Only lists of slots do, which the host sorts.)
 ///
 /// The passes over bonds are those of the processor, on packs of one particle: bitwise the same results.
 #pragma once
@@ -12,6 +13,7 @@
 
 #include "base/host_device.hpp"
 #include "base/typelist.hpp"
+#include "perimpact/device/bonds_of_slots.hpp"
 #include "perimpact/device/elastic_kernels.hpp"
 #include "perimpact/device/list_kernels.hpp"
 #include "perimpact/device/plastic_device_kernels.hpp"
@@ -41,10 +43,11 @@ struct TravelKernel {
 };
 
 /// All kernels.
-using Kernel = fccda::JoinedVariant<AdvanceKernel, TravelKernel, GatherKernel, ScatterKernel, PressedStrengthKernel, ElasticKernels<NoCorrections>,
-                                    ElasticKernels<Corrections<EnergyFactor, EnergyFactor>>, ElasticKernels<Corrections<VolumeFactor, VolumeFactor>>,
-                                    ElasticKernels<Corrections<FamilyFactor, PlainBonds, true>>, PlasticKernels<NoCorrections>,
-                                    PlasticKernels<Corrections<EnergyFactor, EnergyFactor>>, PlasticKernels<Corrections<VolumeFactor, VolumeFactor>>>;
+using Kernel =
+    fccda::JoinedVariant<AdvanceKernel, TravelKernel, GatherKernel, ScatterKernel, GatherBondsKernel, PressedStrengthKernel, ElasticKernels<NoCorrections>,
+                         ElasticKernels<Corrections<EnergyFactor, EnergyFactor>>, ElasticKernels<Corrections<VolumeFactor, VolumeFactor>>,
+                         ElasticKernels<Corrections<FamilyFactor, PlainBonds, true>>, PlasticKernels<NoCorrections>,
+                         PlasticKernels<Corrections<EnergyFactor, EnergyFactor>>, PlasticKernels<Corrections<VolumeFactor, VolumeFactor>>>;
 
 static_assert(std::is_trivially_copyable_v<Kernel>, "kernels travel to the device as bytes");
 

@@ -12,24 +12,30 @@ namespace perimpact::device {
 
 /// Visits of the bonds of a slot in a pass in which bonds may break. Most slots have no bond beyond its limit, and the code for broken bonds takes twice as
 /// many registers: it is therefore left to a second kernel, for the slots in which the first finds such bonds.
-enum class Found : std::uint8_t { nothing, beyond_limit, broken };
+enum class Found : std::uint8_t { nothing, beyond_limit };
+
+/// Slots that threads append to in any order, in device memory.
+struct GrowingList {
+  std::uint32_t* count;
+  std::uint32_t* slots;  // room for all
+
+  FCCDA_HD void append(std::size_t slot) const {
+#if defined(__CUDA_ARCH__)
+    const std::uint32_t place = atomicAdd(count, 1u);
+#else
+    const std::uint32_t place = std::atomic_ref(*count).fetch_add(1, std::memory_order_relaxed);
+#endif
+    slots[place] = static_cast<std::uint32_t>(slot);
+  }
+};
 
 /// What the passes over bonds find for each slot; in device memory.
 struct Findings {
   Found* found;
-  double* energy;             // [J]
-  double* fracture;           // [J] released by bonds that broke; where found is broken
-  std::uint32_t* any_broken;  // not zero if bonds broke anywhere
+  double* energy;      // [J]
+  double* fracture;    // [J] released by bonds that broke; of the slots in the list
+  GrowingList broken;  // slots with bonds that broke
 };
-
-/// Sets a flag that several threads may set.
-FCCDA_HD inline void raise(std::uint32_t* flag) {
-#if defined(__CUDA_ARCH__)
-  atomicExch(flag, 1u);
-#else
-  std::atomic_ref(*flag).store(1, std::memory_order_relaxed);
-#endif
-}
 
 /// Breaker of the first visit: breaks nothing, but notes whether the breaker would.
 template <class Breaker>
@@ -78,9 +84,8 @@ FCCDA_HD void second_visit(const Findings& findings, std::size_t slot, const Eva
   double fracture = 0;
   evaluate(BeyondLimit{&broken}, fracture);
   if (broken == 0) return;
-  findings.found[slot] = Found::broken;
   findings.fracture[slot] = fracture;
-  raise(findings.any_broken);
+  findings.broken.append(slot);
 }
 
 }  // namespace perimpact::device

@@ -203,6 +203,33 @@ TEST_CASE("device: what travels in a step is what traffic_of_step says, of elast
   }
 }
 
+TEST_CASE("device: where bonds break, those of the slots that lose some travel, and no others") {
+  for (const double nu : {0.25, 0.4}) {  // bonds break in the only pass, and in the first of two
+    CAPTURE(nu);
+    Body body = moving({.poissons_ratio = nu, .critical_stretch = 6e-3});
+    EmulatedDevice device;
+    BodyOnDevice on_device(device, body);
+    std::vector<double> travel(travel_blocks(body.particles));
+    on_device.evaluate(body, 0, false);
+    std::size_t fewest = body.particles.size(), most = 0;
+    for (const double amount : {2e-6, 3e-6, 6e-6}) {
+      on_device.to_host();
+      fixtures::shake(body, amount, 3);
+      on_device.moved_on_host(body.particles.slot_of());
+      const Family before = body.family;
+      const std::size_t copied = device.copied().downloaded;
+      on_device.advance(body.particles, dt, travel);
+      on_device.evaluate(body, dt, false);
+      SlotsOnHost on_host;
+      for (const std::uint32_t slot : body.particles.slot_of()) on_host.broken += body.family.damage(slot) != before.damage(slot) ? 1 : 0;
+      CHECK(device.copied().downloaded - copied == BodyOnDevice::traffic_of_step(body, on_host).downloaded);
+      fewest = std::min(fewest, on_host.broken), most = std::max(most, on_host.broken);
+    }
+    CHECK(fewest < body.particles.size() / 4);
+    CHECK(most > 100);
+  }
+}
+
 TEST_CASE("device: after renew() it continues from a state that the host has changed") {
   EmulatedDevice device;
   const fixtures::BodyOptions options{.critical_stretch = 6e-3};
