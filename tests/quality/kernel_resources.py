@@ -12,14 +12,16 @@ from pathlib import Path
 SKIPPED = 77
 ARCHITECTURES = {"sm_80", "sm_90"}
 # Kind → most registers. The second visit of bonds has work in few threads.
-LIMITS = {"advance": 32, "travel": 72, "list": 32, "pressed strength": 56, "dilatation": 64, "force": 72, "second visit": 128,
+LIMITS = {"advance": 32, "travel": 72, "list": 32, "boundary condition": 72, "pressed strength": 56, "dilatation": 64, "force": 72, "second visit": 128,
           "dilatation of what may yield": 72, "force of what may yield": 128, "with plastic strain": 144, "second visit of what may yield": 192}
+BOUNDARY = ("LoadKernel", "LiftKernel", "DeepTopsKernel", "WetKernel", "ResistKernel", "DampKernel", "ImposeKernel", "ListedTravelKernel", "ReactKernel")
 ENTRY = re.compile(
     r"Compiling entry function '(\w+)' for '(sm_\d+)'.*?(\d+) bytes stack frame, (\d+) bytes spill stores, (\d+) bytes spill loads.*?Used (\d+) registers", re.DOTALL)
 
 
 def kind_of(name):
-    for start, kind in (("AdvanceKernel", "advance"), ("TravelKernel", "travel"), ("GatherKernel", "list"), ("ScatterKernel", "list"),
+    for start, kind in (("AdvanceKernel", "advance"), ("::TravelKernel", "travel"), ("GatherKernel", "list"), ("ScatterKernel", "list"),
+                        ("GatherBondsKernel", "list"), ("ScatterEightsKernel", "list"), ("SumLanesKernel", "list"), *((name, "boundary condition") for name in BOUNDARY),
                         ("PressedStrengthKernel", "pressed strength"), ("HotStressKernel", "force of what may yield")):
         if start in name:
             return kind

@@ -94,28 +94,6 @@ void BoundaryConditions::refuse_floating_twice(const BodySetup& body, const Part
   }
 }
 
-std::vector<std::uint32_t> BoundaryConditions::slots() const {
-  return slots_where([](const auto&) { return true; });
-}
-
-std::vector<std::uint32_t> BoundaryConditions::constrained_slots() const {
-  return slots_where([](const auto& boundary) { return std::is_same_v<std::decay_t<decltype(boundary)>, PrescribedDisplacement>; });
-}
-
-template <class IsAsked>
-std::vector<std::uint32_t> BoundaryConditions::slots_where(const IsAsked& is_asked) const {
-  std::vector<std::uint32_t> all;
-  for (const NamedBoundaryCondition& one : all_)
-    std::visit(
-        [&](const auto& boundary) {
-          if (is_asked(boundary)) all.insert(all.end(), boundary.slots().begin(), boundary.slots().end());
-        },
-        one.boundary);
-  std::sort(all.begin(), all.end());
-  all.erase(std::unique(all.begin(), all.end()), all.end());
-  return all;
-}
-
 void BoundaryConditions::set_initial_state(Particles& particles, double time, PrescribedDisplacement::Regime pace) {
   for_each([&](const PrescribedDisplacement& constraint) { constraint.set_initial_state(particles, time, pace); });
 }
@@ -149,9 +127,11 @@ void BoundaryConditions::impose_displacements(Particles& particles, const fccda:
   for_each([&](const PrescribedDisplacement& constraint) { constraint.impose_displacements(particles, step, travel); });
 }
 
-std::vector<std::uint32_t> BoundaryConditions::reimpose_after_contact(Particles& particles, const fccda::Step& step) {
+std::vector<std::uint32_t> BoundaryConditions::reimpose_after_contact(Particles& particles, const fccda::Step& step, std::vector<std::uint32_t> changed) {
+  std::sort(changed.begin(), changed.end());
+  changed.erase(std::unique(changed.begin(), changed.end()), changed.end());
   std::vector<std::uint32_t> displaced;
-  for_each([&](PrescribedDisplacement& constraint) { constraint.reimpose_after_contact(particles, step, displaced); });
+  for_each([&](PrescribedDisplacement& constraint) { constraint.reimpose_after_contact(particles, step, changed, displaced); });
   return displaced;
 }
 

@@ -37,9 +37,6 @@ class BoundaryConditions {
   std::span<const NamedBoundaryCondition> all() const { return all_; }
   std::span<NamedBoundaryCondition> all() { return all_; }
 
-  std::vector<std::uint32_t> slots() const;              ///< ascending; on which they act: they read and write no other particles
-  std::vector<std::uint32_t> constrained_slots() const;  ///< those with a prescribed displacement in some direction
-
   /// Sets positions and velocities of constrained particles at that time.
   void set_initial_state(Particles& particles, double time, PrescribedDisplacement::Regime pace);
 
@@ -52,8 +49,9 @@ class BoundaryConditions {
   /// Imposes prescribed displacements after the particles were advanced. `travel`: of advance().
   void impose_displacements(Particles& particles, const fccda::Step& step, std::span<double> travel);
 
-  /// Reimposes prescribed displacements after contact. Returns the slots that contact had displaced, ascending per boundary condition.
-  std::vector<std::uint32_t> reimpose_after_contact(Particles& particles, const fccda::Step& step);
+  /// Reimposes prescribed displacements after contact, which has displaced the particles in the slots `changed`, each once or repeatedly. Returns those that
+  /// were constrained, ascending per boundary condition. Collective.
+  std::vector<std::uint32_t> reimpose_after_contact(Particles& particles, const fccda::Step& step, std::vector<std::uint32_t> changed);
 
   /// For relaxation: adds the loads of that time to the forces of the bonds, and removes the forces on constrained directions. Returns the
   /// 2-norm [N] of loads and reactions.
@@ -102,8 +100,6 @@ class BoundaryConditions {
   }
   template <class Act>
   void for_each(const Act& act);
-  template <class IsAsked>
-  std::vector<std::uint32_t> slots_where(const IsAsked& is_asked) const;
   void refuse_floating_twice(const BodySetup& body, const Particles& particles) const;
   void refuse_constrained_twice(const BodySetup& body, const Particles& particles) const;
 

@@ -68,11 +68,10 @@ DeviceTraffic BodyOnDevice::traffic_of_step(Body& body, const SlotsOnHost& on_ho
     if (!is_most(listed)) traffic.uploaded += number * listed;
   };
   constexpr std::size_t motion = 2, force = 1;  // vectors
-  count(traffic.downloaded, on_host.constrained, motion);
   count(traffic.downloaded, on_host.due, motion);
   if (!is_most(on_host.loaded)) count(traffic.downloaded, on_host.due, force);  // otherwise they have been there since the step before
-  count(traffic.uploaded, on_host.constrained + on_host.displaced, motion);
-  count(traffic.downloaded, on_host.loaded - on_host.constrained, motion);
+  count(traffic.uploaded, on_host.displaced, motion);
+  count(traffic.downloaded, on_host.loaded, motion);
   count(traffic.downloaded, on_host.loaded, force);
   count(traffic.uploaded, on_host.loaded, force);
   traffic.downloaded += on_host.broken * (number + sizeof(double) + sizeof(std::uint32_t) * device::words_of_slot(body.family.offsets().size()));

@@ -1,7 +1,8 @@
 /// A body whose advance and internal forces, with bond failure, a device computes.
 ///
 /// Positions, velocities and force densities stay on the device. What the host reads of them is brought to its arrays before, and what it changes is stated:
-/// boundary conditions, contact and outputs run on the host. Bonds stay on the device too; those of slots in which some break travel.
+/// contact and outputs run on the host; boundary conditions: boundary_conditions_on_device.hpp. Bonds stay on the device too; those of slots in which some
+/// break travel.
 #pragma once
 
 #include <cstddef>
@@ -29,11 +30,10 @@ struct DeviceTraffic {
 
 /// Numbers of slots of a body that the host reads and changes in a step, and of those whose bonds it learns.
 struct SlotsOnHost {
-  std::size_t constrained = 0;  ///< of prescribed displacement
-  std::size_t due = 0;          ///< for which contact with impactors is evaluated; others than the loaded ones
-  std::size_t displaced = 0;    ///< by contact, of those due
-  std::size_t loaded = 0;       ///< on which boundary conditions act, with the constrained ones; all, with contact between fragments
-  std::size_t broken = 0;       ///< with bonds that break in the step
+  std::size_t due = 0;        ///< for which contact with impactors is evaluated; others than the loaded ones
+  std::size_t displaced = 0;  ///< by contact, of those due
+  std::size_t loaded = 0;     ///< whose force densities the host changes; all, with user forces or contact between fragments
+  std::size_t broken = 0;     ///< with bonds that break in the step
 };
 
 class BodyOnDevice {
@@ -65,6 +65,8 @@ class BodyOnDevice {
   /// In a step in which no particle comes near its yield surface, and the host reads and changes these slots. Neither this step nor that
   /// before is sampled.
   static DeviceTraffic traffic_of_step(Body& body, const SlotsOnHost& on_host = {});
+
+  device::BodyPasses& passes() { return *passes_; }  ///< for kernels of other parts of a step
 
  private:
   std::unique_ptr<device::BodyPasses> passes_;

@@ -23,6 +23,7 @@ class BodyPasses {
   void renew();
   MirroredVectors& motion() { return motion_; }  ///< positions and velocities
   MirroredVectors& forces() { return forces_; }  ///< force densities
+  Mirrors& mirrors() { return mirrors_; }        ///< of the arrays of the body
 
  private:
   void pass(OrdinaryStateForce& force, Body& body, double dt, bool with_energy, SumsOfEights& sums);

@@ -14,6 +14,7 @@
 #include "base/host_device.hpp"
 #include "base/typelist.hpp"
 #include "perimpact/device/bonds_of_slots.hpp"
+#include "perimpact/device/boundary_kernels.hpp"
 #include "perimpact/device/elastic_kernels.hpp"
 #include "perimpact/device/list_kernels.hpp"
 #include "perimpact/device/plastic_device_kernels.hpp"
@@ -43,11 +44,11 @@ struct TravelKernel {
 };
 
 /// All kernels.
-using Kernel =
-    fccda::JoinedVariant<AdvanceKernel, TravelKernel, GatherKernel, ScatterKernel, GatherBondsKernel, PressedStrengthKernel, ElasticKernels<NoCorrections>,
-                         ElasticKernels<Corrections<EnergyFactor, EnergyFactor>>, ElasticKernels<Corrections<VolumeFactor, VolumeFactor>>,
-                         ElasticKernels<Corrections<FamilyFactor, PlainBonds, true>>, PlasticKernels<NoCorrections>,
-                         PlasticKernels<Corrections<EnergyFactor, EnergyFactor>>, PlasticKernels<Corrections<VolumeFactor, VolumeFactor>>>;
+using Kernel = fccda::JoinedVariant<AdvanceKernel, TravelKernel, GatherKernel, ScatterKernel, GatherBondsKernel, BoundaryKernels, PressedStrengthKernel,
+                                    ElasticKernels<NoCorrections>, ElasticKernels<Corrections<EnergyFactor, EnergyFactor>>,
+                                    ElasticKernels<Corrections<VolumeFactor, VolumeFactor>>, ElasticKernels<Corrections<FamilyFactor, PlainBonds, true>>,
+                                    PlasticKernels<NoCorrections>, PlasticKernels<Corrections<EnergyFactor, EnergyFactor>>,
+                                    PlasticKernels<Corrections<VolumeFactor, VolumeFactor>>>;
 
 static_assert(std::is_trivially_copyable_v<Kernel>, "kernels travel to the device as bytes");
 

@@ -217,8 +217,10 @@ Simulation::Simulation(const Setup& setup, Start start, std::vector<UserForceOnB
   expect_solid_bodies(bodies_, impactors_);
   for (std::size_t b = 0; b < bodies_.size(); ++b) {
     if (processor_.is_scalar) bodies_[b].internal.use_scalar_kernel();
-    if (processor_.device)
-      on_device_.push_back({BodyOnDevice(*processor_.device, bodies_[b]), boundary_conditions_[b].constrained_slots(), boundary_conditions_[b].slots()});
+    if (!processor_.device) continue;
+    BodyOnDevice body(*processor_.device, bodies_[b]);
+    BoundaryConditionsOnDevice boundary_conditions(*processor_.device, body, bodies_[b], boundary_conditions_[b]);
+    on_device_.push_back({std::move(body), std::move(boundary_conditions)});
   }
   stages_.begin("diagnostics");
   const auto warn = [&](std::vector<std::string> sentences) { std::ranges::move(sentences, std::back_inserter(warnings_)); };
@@ -317,15 +319,13 @@ void Simulation::rebuild(const MovingWindow& window) {
 
 void Simulation::advance_bodies() {
   for (std::size_t b = 0; b < bodies_.size(); ++b) {
-    OnDevice* const device = on_device(b);
-    if (device) {
+    if (OnDevice* const device = on_device(b)) {
       device->body.advance(bodies_[b].particles, clock_.dt, travel_[b]);
-      device->body.to_host(device->constrained);
+      device->boundary_conditions.impose_displacements(bodies_[b].particles, clock_.latest(), travel_[b]);
     } else {
       advance(bodies_[b].particles, clock_.dt, travel_[b]);
+      boundary_conditions_[b].impose_displacements(bodies_[b].particles, clock_.latest(), travel_[b]);
     }
-    boundary_conditions_[b].impose_displacements(bodies_[b].particles, clock_.latest(), travel_[b]);
-    if (device) device->body.moved_on_host(device->constrained);
   }
 }
 
@@ -357,7 +357,7 @@ void Simulation::resolve_impactor_contact() {
       impactors_[i].record_unresolved(b, static_cast<std::size_t>(all), clock_.time());
     }
     if (OnDevice* const device = on_device(b)) device->body.moved_on_host(particles[b].changed());  // among them all that are reimposed
-    for (const std::uint32_t slot : boundary_conditions_[b].reimpose_after_contact(bodies_[b].particles, clock_.latest()))
+    for (const std::uint32_t slot : boundary_conditions_[b].reimpose_after_contact(bodies_[b].particles, clock_.latest(), particles[b].changed()))
       for (Impactor& impactor : impactors_) impactor.put_back(b, slot);
   }
 }
@@ -401,11 +401,12 @@ void Simulation::add_short_range_forces() {
 void Simulation::apply_boundary_conditions() {
   for (std::size_t b = 0; b < bodies_.size(); ++b) {
     Body& body = bodies_[b];
-    OnDevice* const device = on_device(b);
-    if (device) device->body.to_host(device->loaded);
+    if (OnDevice* const device = on_device(b)) {
+      device->boundary_conditions.add_forces(body, clock_.next());
+      continue;
+    }
     boundary_conditions_[b].update_exposed_surface(body.particles, body.family, body.internal.broken_ends());
     boundary_conditions_[b].add_forces(body.particles, clock_.next());
-    if (device) device->body.loaded_on_host(device->loaded);
   }
 }
 

@@ -15,6 +15,7 @@
 #include "perimpact/boundary_conditions/boundary_conditions.hpp"
 #include "perimpact/deck_model/setup.hpp"
 #include "perimpact/device/body_on_device.hpp"
+#include "perimpact/device/boundary_conditions_on_device.hpp"
 #include "perimpact/device/processor.hpp"
 #include "perimpact/diagnostics/proximity.hpp"
 #include "perimpact/history/monitors.hpp"
@@ -98,7 +99,7 @@ class Simulation {
       if (window.first() != first) rebuild(window);  // a restart: what follows belongs to the body there
     }
     visit_parts(visit);
-    for (OnDevice& one : on_device_) one.body.renew();  // the visitor may write
+    for (OnDevice& one : on_device_) one.body.renew(), one.boundary_conditions.renew();  // the visitor may write
   }
   std::uint64_t state_hash();  ///< of the whole state; the same for any number of ranks and threads. Collective.
 
@@ -124,8 +125,10 @@ class Simulation {
   /// Record of the run, which affects history, warnings and run.json, but not the steps.
   template <class Visitor>
   void visit_record(Visitor&& visit) {
+    for (OnDevice& one : on_device_) one.boundary_conditions.record_to_host();
     for (Body& body : bodies_) body.visit_record(visit);
     for (BoundaryConditions& boundary_conditions : boundary_conditions_) boundary_conditions.visit_record(visit);
+    for (OnDevice& one : on_device_) one.boundary_conditions.renew();
     for (Impactor& impactor : impactors_) impactor.visit_record(visit);
     if (fragments_) fragments_->visit_record(fccda::under("fragments", visit));
     for (MovingWindow& window : windows_) window.visit_record(visit);
@@ -142,10 +145,9 @@ class Simulation {
     if (fragments_) fragments_->visit_state(contacting_bodies(setup_, bodies_), fccda::under("fragments", visit));
     if (relaxation_) relaxation_->visit_state(fccda::under("relaxation", visit));
   }
-  /// A body on a device, and the slots on which its boundary conditions act, which run on the host.
   struct OnDevice {
     BodyOnDevice body;
-    std::vector<std::uint32_t> constrained, loaded;
+    BoundaryConditionsOnDevice boundary_conditions;
   };
   /// Null without a device.
   OnDevice* on_device(std::size_t body) { return on_device_.empty() ? nullptr : &on_device_[body]; }

@@ -16,6 +16,7 @@
 #include <string>
 #include <vector>
 
+#include "perimpact/boundary_conditions/absorbing/absorbing_kernel.hpp"
 #include "perimpact/boundary_conditions/actions/damped.hpp"
 #include "perimpact/boundary_conditions/actions/listed_eights.hpp"
 #include "perimpact/boundary_conditions/actions/reaction_ledger.hpp"
@@ -26,40 +27,6 @@ namespace perimpact {
 
 /// α [1/s] at the depth `depth` in a layer of the thickness `thickness` [m].
 double layer_damping(double depth, double thickness, double wave_speed, double reflection);
-
-/// What the kernel of the layer reads and writes.
-struct AbsorbingView {
-  ParticlesView particles;
-  EightsView eights;
-  std::array<double*, 3> force;          // [N/m³] by slot
-  std::array<const double*, 3> damping;  // [1/s] by place
-  ForcesOnTheWay::View latest;
-  double density;  // [kg/m³]
-  double dt;       // [s]
-
-  template <class Visit>
-  void visit_pointers(const Visit& visit) {
-    particles.visit_pointers(visit), eights.visit_pointers(visit), latest.visit_pointers(visit);
-    for (std::size_t c = 0; c < 3; ++c) visit(force[c]), visit(damping[c]);
-  }
-};
-
-/// Damps the force densities of the pack at a place.
-template <class Pack>
-FCCDA_HD ResistanceOfPack<Pack> damp_pack(const AbsorbingView& layer, std::size_t place) {
-  using namespace fccda;
-  const std::size_t slot = layer.eights.slot(place);
-  const unsigned bits = bits_at<Pack>(layer.eights.lanes, place);
-  const Pack volume = volume_of_pack<Pack>(layer.particles, slot);
-  Vec3<Pack> force, way;
-  for (std::size_t c = 0; c < 3; ++c) {
-    const Pack before = load<Pack>(layer.force[c] + slot), velocity = load<Pack>(layer.particles.velocity[c] + slot);
-    const Pack after = damped(before, velocity, layer.density, load<Pack>(layer.damping[c] + place), layer.dt);
-    store(layer.force[c] + slot, choose(bits, after, before));
-    force[c] = volume * (after - before), way[c] = Pack(layer.dt) * velocity;
-  }
-  return layer.latest.record_force(place, bits, force, way);
-}
 
 class Absorbing {
  public:
@@ -72,11 +39,21 @@ class Absorbing {
   /// Excludes constrained directions from damping. `constrained` ascending.
   void leave_out(std::span<const std::uint32_t> constrained, std::size_t axis);
 
-  AbsorbingView view(Particles& particles, double dt);
-
   /// Damps the force densities for the next step of dt [s], after all other forces except constraints. Records force and work.
   void damp(Particles& particles, double dt);
+
+  /// For kernels elsewhere: what they read and write, and what they find.
+  AbsorbingView view(Particles& particles, double dt);
   void record(const Resistance& sum);
+  const ListedEights& eights() const { return eights_; }
+  /// Calls visit(span) for each array of the view but those of particles.
+  template <class Visit>
+  void visit_arrays(const Visit& visit) {
+    eights_.visit_arrays(visit);
+    for (const std::vector<double>& along : damping_) visit(std::span(along));
+    visit(forces_.latest());
+  }
+  std::span<double> latest_forces() { return forces_.latest(); }
 
   template <class Setup>
   static Traffic collectives_in_step(const Setup&) {

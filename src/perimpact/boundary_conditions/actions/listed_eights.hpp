@@ -60,6 +60,11 @@ class ListedEights {
   std::span<const std::uint32_t> place_of() const { return places_; }
   std::span<const std::uint32_t> numbers() const { return numbers_; }
   std::span<const std::uint8_t> lanes() const { return lanes_; }
+  /// Calls visit(span) for each array of the view.
+  template <class Visit>
+  void visit_arrays(const Visit& visit) const {
+    visit(numbers()), visit(lanes());
+  }
   EightsView view() const { return {numbers_.data(), lanes_.data()}; }
 
  private:

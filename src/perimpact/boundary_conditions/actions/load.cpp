@@ -17,21 +17,20 @@ Load::Load(std::vector<std::uint32_t> slots, std::vector<double> weights, const 
 }
 
 ForceSum Load::static_load(Particles& particles, double time) const {
-  const Vec3d now = factor_.at(time) * intensity_;
+  const Vec3d now = intensity(time);
   for_each_block(slots_.size(), [&](std::size_t begin, std::size_t end, std::size_t) {
     for (std::size_t k = begin; k < end; ++k) {
       const std::size_t slot = slots_[k];
-      particles.force_density.set(slot, particles.force_density.at(slot) + weights_[k] / particles.volume(slot) * now);
+      particles.force_density.set(slot, with_load(particles.force_density.at(slot), weights_[k], particles.volume(slot), now));
     }
   });
   return {total_weight_ * now, squared_weights_ * squared_norm(now)};
 }
 
-double Load::half_kick(double time, double dt) const { return 0.125 * dt * dt * weights_by_mass_ * squared_norm(factor_.at(time) * intensity_); }
+double Load::half_kick(double time, double dt) const { return 0.125 * dt * dt * weights_by_mass_ * squared_norm(intensity(time)); }
 
-Vec3d Load::displacement(const Particles& particles) const {
-  return exact_sum_over_eights(particles.share().ranks(), slots_, [&](std::size_t k) { return weights_[k] * particles.displacement(slots_[k]); }) /
-         total_weight_;
+Vec3d Load::weighted_displacement(const Particles& particles) const {
+  return exact_sum_over_eights(particles.share().ranks(), slots_, [&](std::size_t k) { return weights_[k] * particles.displacement(slots_[k]); });
 }
 
 }  // namespace perimpact

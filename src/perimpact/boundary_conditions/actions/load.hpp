@@ -15,6 +15,7 @@
 
 #include "fccda/rigid_body/step.hpp"
 #include "fccda/rigid_body/time_table.hpp"
+#include "perimpact/boundary_conditions/actions/action_kernels.hpp"
 #include "perimpact/boundary_conditions/actions/reaction_ledger.hpp"
 #include "perimpact/boundary_conditions/actions/slot_sum.hpp"
 #include "perimpact/particles/particles.hpp"
@@ -32,13 +33,19 @@ class Load {
 
   /// Adds the load at that time to the force densities.
   ForceSum static_load(Particles& particles, double time) const;
-  void apply_load(Particles& particles, const fccda::Step& next) { account.record_force(static_load(particles, next.t0).force, displacement(particles)); }
+  void apply_load(Particles& particles, const fccda::Step& next) {
+    static_load(particles, next.t0);
+    record(next.t0, weighted_displacement(particles));
+  }
+  Vec3d intensity(double time) const { return factor_.at(time) * intensity_; }  ///< q f(t)
+  /// Records the load at that time; `weighted_displacement`: Σ w u.
+  void record(double time, const Vec3d& weighted_displacement) { account.record_force(total_weight_ * intensity(time), weighted_displacement / total_weight_); }
 
   /// [J] kinetic energy from the load alone in the half step before `time`, for which no work has been recorded yet: Σ m (a dt/2)²/2.
   double half_kick(double time, double dt) const;
 
   /// [m] Σ w u/Σ w
-  Vec3d displacement(const Particles& particles) const;
+  Vec3d displacement(const Particles& particles) const { return weighted_displacement(particles) / total_weight_; }
   Vec3d conjugate_displacement(const Particles& particles, double) const { return displacement(particles); }
 
   template <class Setup>
@@ -54,6 +61,8 @@ class Load {
   }
 
  private:
+  Vec3d weighted_displacement(const Particles& particles) const;
+
   std::vector<std::uint32_t> slots_;
   std::vector<double> weights_;
   double total_weight_, squared_weights_, weights_by_mass_;  // Σ w, Σ w², Σ w²/m

@@ -18,43 +18,45 @@ void PrescribedDisplacement::set_initial_state(Particles& particles, double time
   }
 }
 
+PrescribedMotion PrescribedDisplacement::motion(const fccda::Step& step) const {
+  PrescribedMotion motion{};
+  for (std::size_t c = 0; c < 3; ++c)
+    if (histories_[c])
+      motion.constrains[c] = true, motion.displacement[c] = histories_[c]->displacement(step.t1),
+      motion.velocity[c] = histories_[c]->velocity(step.t0, step.t1);
+  return motion;
+}
+
 void PrescribedDisplacement::impose_displacements(Particles& particles, const fccda::Step& step, std::span<double> travel) const {
-  for (std::size_t c = 0; c < 3; ++c) {
-    if (!histories_[c]) continue;
-    const double displacement = histories_[c]->displacement(step.t1), velocity = histories_[c]->velocity(step.t0, step.t1);
-    for (const std::uint32_t slot : slots_) {
-      particles.position.component(c)[slot] = particles.reference(slot)[c] + displacement;
-      particles.velocity.component(c)[slot] = velocity;
-    }
-  }
+  const PrescribedMotion motion = this->motion(step);
   for (const std::uint32_t slot : slots_) {
+    motion.impose(slot, particles.reference(slot), particles.position.writable_pointers(), particles.velocity.writable_pointers());
     double& furthest = travel[slot / travel_block];
     furthest = std::max(furthest, norm(particles.velocity.at(slot)) * step.dt);
   }
 }
 
-void PrescribedDisplacement::reimpose_after_contact(Particles& particles, const fccda::Step& step, std::vector<std::uint32_t>& displaced) {
-  Vec3d displacement{}, velocity{};
-  for (std::size_t c = 0; c < 3; ++c)
-    if (histories_[c]) displacement[c] = histories_[c]->displacement(step.t1), velocity[c] = histories_[c]->velocity(step.t0, step.t1);
+void PrescribedDisplacement::reimpose_after_contact(Particles& particles, const fccda::Step& step, std::span<const std::uint32_t> changed,
+                                                    std::vector<std::uint32_t>& displaced) {
+  const PrescribedMotion motion = this->motion(step);
   struct Changes {
     Vec3d impulse;            // [N s]
     double work, correction;  // [J]
   };
   fccda::ExactSums<Changes> changes;
   const std::size_t displaced_before = displaced.size();
-  for (const std::uint32_t slot : slots_) {
+  for (const std::uint32_t slot : changed) {
+    if (!std::binary_search(slots_.begin(), slots_.end(), slot)) continue;
     Vec3d change{}, unbalanced{};  // [m/s]
     for (std::size_t c = 0; c < 3; ++c) {
-      if (!histories_[c]) continue;
-      change[c] = velocity[c] - particles.velocity.component(c)[slot];
+      if (!motion.constrains[c]) continue;
+      change[c] = motion.velocity[c] - particles.velocity.component(c)[slot];
       unbalanced[c] = -0.5 * (change[c] + step.dt / particles.density() * particles.force_density.component(c)[slot]);
-      particles.velocity.component(c)[slot] = velocity[c];
-      particles.position.component(c)[slot] = particles.reference(slot)[c] + displacement[c];
     }
+    motion.impose(slot, particles.reference(slot), particles.position.writable_pointers(), particles.velocity.writable_pointers());
     if (change == Vec3d{}) continue;
     const Vec3d impulse = particles.mass(slot) * change;
-    changes.add({impulse, dot(impulse, velocity), dot(impulse, unbalanced)});
+    changes.add({impulse, dot(impulse, motion.velocity), dot(impulse, unbalanced)});
     displaced.push_back(slot);
   }
   Ranks& ranks = particles.share().ranks();
@@ -81,11 +83,9 @@ ForceSum PrescribedDisplacement::take_over(Particles& particles, const Target& t
 }
 
 ForceSum PrescribedDisplacement::constrain(Particles& particles, const fccda::Step& next) const {
-  Vec3d velocity{};
-  for (std::size_t c = 0; c < 3; ++c)
-    if (histories_[c]) velocity[c] = histories_[c]->velocity(next.t0, next.t1);
+  const PrescribedMotion motion = this->motion(next);
   const double scale = particles.density() / next.dt;
-  return take_over(particles, [&](std::size_t slot, std::size_t c) { return scale * (velocity[c] - particles.velocity.component(c)[slot]); });
+  return take_over(particles, [&](std::size_t slot, std::size_t c) { return motion.force_density(scale, c, particles.velocity.component(c)[slot]); });
 }
 
 ForceSum PrescribedDisplacement::constrain_statically(Particles& particles) const {

@@ -16,6 +16,7 @@
 #include <vector>
 
 #include "fccda/rigid_body/step.hpp"
+#include "perimpact/boundary_conditions/actions/action_kernels.hpp"
 #include "perimpact/boundary_conditions/actions/displacement_history.hpp"
 #include "perimpact/boundary_conditions/actions/reaction_ledger.hpp"
 #include "perimpact/boundary_conditions/actions/slot_sum.hpp"
@@ -32,6 +33,7 @@ class PrescribedDisplacement {
 
   std::span<const std::uint32_t> slots() const { return slots_; }
   bool constrains(std::size_t axis) const { return histories_[axis].has_value(); }
+  PrescribedMotion motion(const fccda::Step& step) const;
 
   /// Sets positions at that time, with the velocities at that time or, if quasi-static, zero velocities.
   enum class Regime { moving, quasi_static };
@@ -40,12 +42,14 @@ class PrescribedDisplacement {
   /// Imposes the displacements after the particles were advanced. `travel`: of advance(), increased where necessary.
   void impose_displacements(Particles& particles, const fccda::Step& step, std::span<double> travel) const;
 
-  /// Reimposes the displacements after contact, in the same step. Appends the slots that contact had displaced to `displaced`.
-  void reimpose_after_contact(Particles& particles, const fccda::Step& step, std::vector<std::uint32_t>& displaced);
+  /// Reimposes the displacements after contact, in the same step. `changed`: slots that contact has displaced, ascending. Appends those that were constrained
+  /// to `displaced`.
+  void reimpose_after_contact(Particles& particles, const fccda::Step& step, std::span<const std::uint32_t> changed, std::vector<std::uint32_t>& displaced);
 
   /// Replaces the force density of the constrained directions for the next step, after all other forces.
   ForceSum constrain(Particles& particles, const fccda::Step& next) const;
-  void apply_constraint(Particles& particles, const fccda::Step& next) { account.record_force(constrain(particles, next).force, displacement(next.t0)); }
+  void apply_constraint(Particles& particles, const fccda::Step& next) { record(next, constrain(particles, next).force); }
+  void record(const fccda::Step& next, const Vec3d& reaction) { account.record_force(reaction, displacement(next.t0)); }
 
   /// The same for equilibrium: zero force on the constrained directions.
   ForceSum constrain_statically(Particles& particles) const;

@@ -90,33 +90,36 @@ void Floating::leave_out(std::span<const std::uint32_t> constrained, std::size_t
 }
 
 void Floating::update_exposed_surface(const Particles& particles, const Family& family, std::span<const std::uint32_t> broken_ends) {
-  if (water_.drag == 0 && !columns_) return;
-  const bool is_first = !exposure_;
-  std::vector<std::uint32_t> newly_damaged;
-  if (is_first)
+  const SurfaceChange change = update_surface(particles, family, broken_ends);
+  if (!has_dry_top()) return;
+  flood(change.tops, particles);
+  flood_deep_columns(particles);
+}
+
+Floating::SurfaceChange Floating::update_surface(const Particles& particles, const Family& family, std::span<const std::uint32_t> broken_ends) {
+  SurfaceChange change;
+  if (water_.drag == 0 && !columns_) return change;
+  std::vector<std::size_t> damaged;  // by their numbers in the list
+  if (!exposure_) {
     exposure_.emplace(particles, family, broken_ends);
-  else
-    newly_damaged = exposure_->update(family, broken_ends);
-  // those of the slots of this boundary condition, by their numbers in the list
-  std::vector<std::size_t> damaged;
-  if (is_first) {
     for (std::size_t k = 0; k < slots_.size(); ++k) {
       if (exposure_->is_exposed(slots_[k])) expose(k);
       if (exposure_->has_lost(slots_[k])) damaged.push_back(k);
     }
+    change.is_exposed = true;
   } else {
-    for (const std::uint32_t slot : newly_damaged) {
+    for (const std::uint32_t slot : exposure_->update(family, broken_ends)) {
       const auto found = std::lower_bound(slots_.begin(), slots_.end(), slot);
       if (found != slots_.end() && *found == slot) damaged.push_back(static_cast<std::size_t>(found - slots_.begin()));
     }
     for (const std::size_t k : damaged) expose(k);
+    change.is_exposed = !damaged.empty();
   }
-  if (water_.entrained_depth != 0) update_intact_share(family, broken_ends);
-  if (!has_dry_top()) return;
-  fccda::ExactSums<double> loss;  // [J]
-  for (const std::size_t k : damaged) loss.add(flood(columns_->column_of(slots_[k]), particles));
-  record_flooding(value_of_all(particles.share().ranks(), loss));
-  flood_deep_columns(particles);
+  if (water_.entrained_depth != 0) change.eights = update_intact_share(family, broken_ends);
+  if (has_dry_top())
+    for (const std::size_t k : damaged)
+      if (const std::uint32_t top = columns_->top(columns_->column_of(slots_[k])); top != WaterColumns::none && is_dry_[top] != 0) change.tops.push_back(top);
+  return change;
 }
 
 void Floating::expose(std::size_t k) {
@@ -124,27 +127,33 @@ void Floating::expose(std::size_t k) {
   exposed = static_cast<std::uint8_t>(exposed | 1u << slots_[k] % byte_lanes);
 }
 
-void Floating::update_intact_share(const Family& family, std::span<const std::uint32_t> broken_ends) {
+/// Returns the listed eights of which it has changed.
+std::vector<std::uint32_t> Floating::update_intact_share(const Family& family, std::span<const std::uint32_t> broken_ends) {
   const bool is_first = broken_ends_.empty();
   if (is_first) broken_ends_.assign(broken_ends.begin(), broken_ends.end());
-  std::vector<std::uint8_t> has_changed(broken_ends.size(), is_first ? 1 : 0);
-  bool any = is_first;
-  for (std::size_t eight = 0; eight < broken_ends.size(); ++eight)
-    if (broken_ends[eight] != broken_ends_[eight]) has_changed[eight] = 1, broken_ends_[eight] = broken_ends[eight], any = true;
-  if (!any) return;
-  fccda::parallel_for(static_cast<std::ptrdiff_t>(eights_.count()), [&](std::ptrdiff_t number) {
-    const auto eight = static_cast<std::size_t>(number);
-    const std::size_t first = std::size_t{eights_.numbers()[eight]} * byte_lanes;
-    if (has_changed[first / byte_lanes] == 0) return;
+  std::vector<std::uint32_t> changed;
+  for (std::uint32_t e = 0; e < eights_.count(); ++e)
+    if (const std::uint32_t eight = eights_.numbers()[e]; is_first || broken_ends[eight] != broken_ends_[eight]) {
+      broken_ends_[eight] = broken_ends[eight];
+      changed.push_back(e);
+    }
+  fccda::parallel_for_uneven(static_cast<std::ptrdiff_t>(changed.size()), [&](std::ptrdiff_t number) {
+    const std::size_t eight = changed[static_cast<std::size_t>(number)], first = std::size_t{eights_.numbers()[eight]} * byte_lanes;
     fccda::for_each_bit(eights_.lanes()[eight], [&](std::size_t lane) {
       if (exposure_->has_lost(first + lane)) intact_[eight * byte_lanes + lane] = 1 - family.damage(first + lane);
     });
   });
+  return changed;
 }
 
-double Floating::flood(std::size_t column, const Particles& particles) {
-  const std::uint32_t top = columns_->top(column);
-  if (top == WaterColumns::none || is_dry_[top] == 0) return 0;
+void Floating::flood(std::span<const std::uint32_t> tops, const Particles& particles) {
+  fccda::ExactSums<double> loss;  // [J]
+  for (const std::uint32_t top : tops) loss.add(flood_top(top, particles));
+  record_flooding(value_of_all(particles.share().ranks(), loss));
+}
+
+double Floating::flood_top(std::uint32_t top, const Particles& particles) {
+  if (is_dry_[top] == 0) return 0;
   is_dry_[top] = 0;
   const std::size_t slot = eights_.view().slot(top);
   const double height = particles.size_of(slot), above = std::max(water_.immersion(particles.position.at(slot).z, height) - 1, 0.0);
@@ -164,8 +173,7 @@ void Floating::flood_deep_columns(const Particles& particles) {
     const std::uint32_t top = columns_->top(c);
     if (top == WaterColumns::none || is_dry_[top] == 0) return 0.0;
     const std::size_t slot = eights_.view().slot(top);
-    const double depth = water_.level - particles.position.at(slot).z - 0.5 * particles.size_of(slot);
-    return depth > water_.dry_top ? flood(c, particles) : 0.0;
+    return water_.floods(particles.position.at(slot).z, particles.size_of(slot)) ? flood_top(top, particles) : 0.0;
   }));
 }
 

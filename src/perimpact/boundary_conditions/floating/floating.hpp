@@ -56,6 +56,15 @@ class Floating {
   /// Updates exposed particles at the body's surface, and what columns lose with their bonds and by their depth.
   void update_exposed_surface(const Particles& particles, const Family& family, std::span<const std::uint32_t> broken_ends);
 
+  /// The parts of update_exposed_surface().
+  struct SurfaceChange {
+    bool is_exposed = false;            ///< further particles are exposed
+    std::vector<std::uint32_t> eights;  ///< of which particles have lost bonds, by their numbers in the list; with an entrained depth
+    std::vector<std::uint32_t> tops;    ///< places of dry tops whose column has lost bonds
+  };
+  SurfaceChange update_surface(const Particles& particles, const Family& family, std::span<const std::uint32_t> broken_ends);
+  void flood(std::span<const std::uint32_t> tops, const Particles& particles);
+
   /// Floods the columns whose top lies deeper than it stays dry.
   void flood_deep_columns(const Particles& particles);
 
@@ -65,10 +74,27 @@ class Floating {
 
   /// Applies drag, damping and added mass for the next step of dt [s], after all other forces except constraints. Returns the force [N].
   Vec3d resist(Particles& particles, double dt);
-  void apply_resistance(Particles& particles, double dt) { account.record_force(Vec3d{0, 0, lift_z_} + resist(particles, dt), {}); }
+  void apply_resistance(Particles& particles, double dt) { record_force(resist(particles, dt)); }
 
-  /// What the kernels of water read and write.
+  /// For kernels elsewhere: what they read and write, and what they find.
   WaterView view(Particles& particles);
+  const ListedEights& eights() const { return eights_; }
+  /// Calls visit(span) for each array of the view but those of particles; a point cloud has further ones.
+  template <class Visit>
+  void visit_arrays(const Visit& visit) {
+    eights_.visit_arrays(visit);
+    if (columns_) columns_->visit_arrays(visit);
+    for (const std::vector<std::uint8_t>& along : moves_) visit(std::span(along));
+    visit(std::span(exposed_)), visit(std::span(is_dry_)), visit(std::span(intact_)), visit(std::span(wetness_)), visit(forces_.latest());
+  }
+  std::span<double> latest_forces() { return forces_.latest(); }
+  std::span<const std::uint8_t> exposed() const { return exposed_; }
+  std::span<const std::uint8_t> dry_tops() const { return is_dry_; }
+  std::span<const double> intact_shares() const { return intact_; }
+  bool resists() const { return water_.drag != 0 || water_.damping != 0 || water_.adds_mass(); }
+  void record(const Hydrostatics& sum);
+  Vec3d record(const Resistance& sum);  ///< returns the force
+  void record_force(const Vec3d& resistance) { account.record_force(Vec3d{0, 0, lift_z_} + resistance, {}); }
   Vec3d conjugate_displacement(const Particles&, double) const { return {}; }  ///< the work is that of a potential
 
   /// Other particles float than in the last step: the change of the potential until the next step is no work.
@@ -103,13 +129,10 @@ class Floating {
   }
 
  private:
-  bool resists() const { return water_.drag != 0 || water_.damping != 0 || water_.adds_mass(); }
   Hydrostatics lift(Particles& particles, bool with_squares);
-  void record(const Hydrostatics& sum);
-  Vec3d record(const Resistance& sum);                           // the force
-  double flood(std::size_t column, const Particles& particles);  // [J] that the water loses
+  double flood_top(std::uint32_t top, const Particles& particles);  // [J] that the water loses
   void expose(std::size_t k);
-  void update_intact_share(const Family& family, std::span<const std::uint32_t> broken_ends);
+  std::vector<std::uint32_t> update_intact_share(const Family& family, std::span<const std::uint32_t> broken_ends);
   void record_flooding(double loss);
 
   std::vector<std::uint32_t> slots_;

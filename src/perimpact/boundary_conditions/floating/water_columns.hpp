@@ -39,6 +39,10 @@ class WaterColumns {
   std::size_t column_of(std::size_t slot) const { return slot % tops_.size(); }
   /// The uppermost particle, if it is also that of the body; else none.
   std::uint32_t top(std::size_t column) const { return tops_[column]; }
+  template <class Visit>
+  void visit_arrays(const Visit& visit) const {
+    visit(std::span(begin_)), visit(std::span(members_)), visit(std::span(layers_));
+  }
   ColumnsView view() const { return {tops_.size(), begin_.data(), members_.data(), layers_.data()}; }
 
  private:

@@ -34,6 +34,8 @@ struct Water {
   FCCDA_HD Pack submerged(Pack z, Pack height) const {
     return fccda::smaller(Pack(1.0), fccda::larger(Pack(0.0), immersion(z, height)));
   }
+  /// Whether a dry top at z lies deeper than it stays dry.
+  FCCDA_HD bool floods(double z, double height) const { return level - z - 0.5 * height > dry_top; }
   FCCDA_HD bool adds_mass() const { return added_mass != 0 || entrained_depth != 0; }
 };
 
