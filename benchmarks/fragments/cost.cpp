@@ -11,6 +11,7 @@
 #include <algorithm>
 #include <random>
 #include <span>
+#include <stdexcept>
 #include <string>
 #include <type_traits>
 
@@ -49,10 +50,12 @@ Setup plate(bool touches) {
 /// Calls f(values) with the named array of the state.
 template <class T, class F>
 void with_state(Simulation& simulation, const std::string& wanted, const F& f) {
+  bool is_found = false;
   simulation.visit_state([&](const std::string& name, auto&& values) {
-    if constexpr (std::is_same_v<std::remove_cvref_t<decltype(values)>, std::span<T>>)
-      if (name == wanted) f(values);
+    if constexpr (std::is_convertible_v<decltype(values), std::span<T>>)
+      if (name == wanted) f(std::span<T>(values)), is_found = true;
   });
+  if (!is_found) throw std::logic_error("the state has no array " + wanted + " of these numbers");
 }
 
 /// Breaks all bonds in that share of the plate, from low x, and sets random velocities.
