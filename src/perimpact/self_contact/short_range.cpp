@@ -1,6 +1,7 @@
 #include "perimpact/self_contact/short_range.hpp"
 
 #include <algorithm>
+#include <bit>
 #include <cmath>
 #include <utility>
 
@@ -94,7 +95,8 @@ ShortRange::Eight ShortRange::eight_of(std::size_t m, const std::int32_t* others
   using Pack = NativePack;
   const Vec3d& place = places_[m].position;
   const Pack size(places_[m].size);
-  Eight eight{0, {}};
+  Eight eight;
+  eight.near = 0;
   for (std::size_t first = 0; first < byte_lanes; first += lanes<Pack>) {
     const std::int32_t* those = others + first;
     const auto [x, y, z, its] = gather_rows<Pack>(&places_.front().position.x, those);
@@ -108,6 +110,39 @@ ShortRange::Eight ShortRange::eight_of(std::size_t m, const std::int32_t* others
   return eight;
 }
 
+/// The slips of a member's pairs in range, which are stored without gaps, while pairs enter and leave.
+class ShortRange::SlipsInRange {
+ public:
+  SlipsInRange(ShortRange& all, std::size_t member) : all_(all), first_(all.near_pairs_.first_pair(member)), count_(all.near_count_[member]) {}
+
+  /// Eight pairs, in ascending order: bits of those in range `before` and `now`. `to`: pairs in range now, of the eights before.
+  void follow(unsigned before, unsigned now, std::size_t to) {
+    if (before != now && !moves_) {
+      moves_ = true;
+      first_kept_ = from_;
+      kept_.clear();
+      for (std::size_t n = from_; n < count_; ++n) kept_.push_back(all_.slip_of(first_ + n));
+    }
+    if (!moves_) {
+      from_ += static_cast<std::size_t>(std::popcount(before));
+      return;
+    }
+    for_each_bit(before | now, [&](std::size_t lane) {
+      const bool was = (before >> lane) & 1u, is = (now >> lane) & 1u;
+      if (is) all_.set_slip(first_ + to++, was ? kept_[from_ - first_kept_] : Vec3d{});
+      from_ += was;
+    });
+  }
+
+ private:
+  static thread_local std::vector<Vec3d> kept_;  // [m] those from first_kept_ on, as they were
+
+  ShortRange& all_;
+  std::size_t first_, count_, from_ = 0, first_kept_ = 0;
+  bool moves_ = false;
+};
+thread_local std::vector<Vec3d> ShortRange::SlipsInRange::kept_;
+
 /// Density around a member, and its pressure.
 void ShortRange::evaluate(std::size_t m, std::span<const ContactingBody> bodies, double dt) {
   near_pairs_.insert_broken(m, bodies, [&](std::size_t at, std::size_t last) { insert_pair(at, last); });
@@ -116,7 +151,7 @@ void ShortRange::evaluate(std::size_t m, std::span<const ContactingBody> bodies,
   const NearPairs::Pairs pairs = near_pairs_.pairs_of(m);
   const std::size_t first_pair = near_pairs_.first_pair(m);
   std::int32_t* near_others = near_.data() + first_pair;
-  std::int32_t* near_numbers = law_.friction > 0 ? near_number_.data() + first_pair : nullptr;
+  SlipsInRange slips(*this, m);
   const std::size_t own_begin = first_member_[i.body], own_count = first_member_[i.body + 1] - own_begin;
   std::uint32_t count = 0;
   double own = 0, fresh = 0, others = 0;
@@ -129,18 +164,17 @@ void ShortRange::evaluate(std::size_t m, std::span<const ContactingBody> bodies,
       for_each_bit(near, [&](std::size_t lane) {
         if (!near_pairs_.is_exposed(near_pairs_.members()[static_cast<std::size_t>(those[lane])])) near &= ~(1u << lane);
       });
-    const std::size_t byte = (first_pair + first) / byte_lanes;
-    const unsigned entered = near & ~static_cast<unsigned>(is_near_[byte]);
-    is_near_[byte] = static_cast<std::uint8_t>(near);
+    std::uint8_t& is_near = is_near_[(first_pair + first) / byte_lanes];
+    const unsigned entered = near & ~unsigned{is_near};
+    if (law_.friction > 0) slips.follow(is_near, near, count);
+    is_near = static_cast<std::uint8_t>(near);
     for_each_bit(near, [&](std::size_t lane) {
-      if (law_.friction > 0) near_numbers[count] = static_cast<std::int32_t>(first + lane);
       near_others[count++] = those[lane];
       (static_cast<std::size_t>(those[lane]) - own_begin < own_count ? own : others) += eight.densities[lane];
     });
     if (entered == 0) continue;
     for_each_bit(entered, [&](std::size_t lane) {
       const std::size_t other = static_cast<std::size_t>(those[lane]);
-      if (law_.friction > 0) set_slip(first_pair + first + lane, {});
       if (!(other - own_begin < own_count)) return;
       // pairs that did not move into range, but lost their bond there
       const double reach = weight_reach * distance_of(places_[m].size, places_[other].size);
@@ -185,9 +219,10 @@ ShortRange::PairSum ShortRange::add_to(std::size_t m, std::span<const Contacting
     return static_cast<std::size_t>(std::lower_bound(near, near + count, static_cast<std::int32_t>(member)) - near);
   };
   const std::size_t begin = bodies.size() > 1 ? before(first_member_[i.body]) : 0, end = bodies.size() > 1 ? before(first_member_[i.body + 1]) : count;
-  add_pairs(m, 0, begin, bodies, dt, force, got);
-  add_pairs(m, begin, end, bodies, dt, force, got);
-  add_pairs(m, end, count, bodies, dt, force, got);
+  constexpr std::size_t own = 0, others = 1;
+  add_pairs(m, 0, begin, others, bodies, dt, force, got);
+  add_pairs(m, begin, end, own, bodies, dt, force, got);
+  add_pairs(m, end, count, others, bodies, dt, force, got);
   may_slip_[m] = got.contacts > 0;
   if (got.contacts == 0) return got;
   Particles& particles = bodies[i.body].particles;
@@ -195,13 +230,13 @@ ShortRange::PairSum ShortRange::add_to(std::size_t m, std::span<const Contacting
   return got;
 }
 
-void ShortRange::add_pairs(std::size_t m, std::size_t first, std::size_t last, std::span<const ContactingBody> bodies, double dt, Vec3d& force, PairSum& got) {
+void ShortRange::add_pairs(std::size_t m, std::size_t first, std::size_t last, std::size_t whose, std::span<const ContactingBody> bodies, double dt,
+                           Vec3d& force, PairSum& got) {
   if (first == last) return;
   using Pack = NativePack;
   const auto members = near_pairs_.members();
   const std::size_t first_pair = near_pairs_.first_pair(m);
   const std::int32_t* near = near_.data() + first_pair;
-  const std::size_t whose = members[static_cast<std::size_t>(near[first])].body == members[m].body ? 0 : 1;
   const Vec3d &place = places_[m].position, &speed = motions_[m].velocity;
   const Pack mine(pressure_[whose][m]), size(places_[m].size), spring_constant(spring_[whose][m]), volume(motions_[m].volume);
   const bool slides = law_.friction > 0, is_damped = law_.damping_ratio > 0;
@@ -209,7 +244,7 @@ void ShortRange::add_pairs(std::size_t m, std::size_t first, std::size_t last, s
   Pack stored(0.0), rubbed(0.0);
   for (; first < last; first += lanes<Pack>) {
     const std::int32_t* those = near + first;
-    const std::int32_t* numbers = slides ? near_number_.data() + first_pair + first : nullptr;
+    const std::size_t pair = first_pair + first;  // as slips are numbered
     const unsigned all = last - first < lanes<Pack> ? (1u << (last - first)) - 1u : (1u << lanes<Pack>)-1u;
     const Pack its = gather<Pack>(pressure_[whose].data(), those);
     unsigned pushes = all & bits_where_greater(mine + its, Pack(0.0));
@@ -221,20 +256,18 @@ void ShortRange::add_pairs(std::size_t m, std::size_t first, std::size_t last, s
     got.contacts += __builtin_popcount(pushes);
     Vec3<Pack> slip{};
     if (slides) {
-      for (std::size_t c = 0; c < 3; ++c) slip[c] = gather<Pack>(slip_[c].data() + first_pair, numbers);
+      for (std::size_t c = 0; c < 3; ++c) slip[c] = load<Pack>(slip_[c].data() + pair);
       const unsigned released = all & ~pushes & bits_where_greater(slip.x * slip.x + slip.y * slip.y + slip.z * slip.z, Pack(0.0));
       for_each_bit(released, [&](std::size_t lane) {
-        release_contact(first_pair + static_cast<std::size_t>(numbers[lane]), tangential_stiffness(members[m], members[static_cast<std::size_t>(those[lane])]),
-                        got);
+        release_contact(pair + lane, tangential_stiffness(members[m], members[static_cast<std::size_t>(those[lane])]), got);
       });
     }
     if (pushes == 0) continue;
     if (is_damped) {
       for_each_bit(pushes, [&](std::size_t lane) {
-        const std::size_t pair = slides ? first_pair + static_cast<std::size_t>(numbers[lane]) : 0;
-        Vec3d its_slip = slides ? slip_of(pair) : Vec3d{};
+        Vec3d its_slip = slides ? slip_of(pair + lane) : Vec3d{};
         const ParticleContactForce pair_contact = force_of_pair(m, static_cast<std::size_t>(those[lane]), whose, bodies, dt, its_slip);
-        if (slides) set_slip(pair, its_slip);
+        if (slides) set_slip(pair + lane, its_slip);
         force += pair_contact.normal + pair_contact.friction;
         got.energy += 0.5 * pair_contact.tangential_energy;
         got.friction_dissipation += 0.5 * pair_contact.friction_dissipation, got.damped_work += 0.5 * pair_contact.damped_work;
@@ -259,18 +292,23 @@ void ShortRange::add_pairs(std::size_t m, std::size_t first, std::size_t last, s
     const Pack its_spring = whose == 0 ? spring_constant : gather<Pack>(spring_[whose].data(), those);
     const Pack stiffness = Pack(tangential_share) * (Pack(0.5) * (spring_constant + its_spring)) * (volume * its_volume);
     const Pack reached_squared = dot(reached, reached), most = Pack(law_.friction * face_.oblique_share) * (spring * squared * inverse);
-    const unsigned exceeds = bits_where_greater(stiffness * stiffness * reached_squared, most * most);
-    const Pack kept = select(exceeds, most / stiffness * inverse_square_root(reached_squared)) + select(~exceeds, Pack(1.0));
-    const Vec3<Pack> after = kept * reached;
+    const unsigned exceeds = pushes & bits_where_greater(stiffness * stiffness * reached_squared, most * most);
+    Vec3<Pack> after = reached;
+    if (exceeds != 0) {
+      const Pack kept = select(exceeds, most / stiffness * inverse_square_root(reached_squared)) + select(~exceeds, Pack(1.0));
+      after = kept * reached;
+    }
     const Pack pull = select(pushes, stiffness);
     for (std::size_t c = 0; c < 3; ++c) sum[c] = sum[c] + select(pushes, pull * after[c]);
     stored += select(pushes, pull * dot(after, after));
     rubbed += select(pushes, larger(pull * dot(before + after, reached - after), Pack(0.0)));
+    if (pushes == (1u << lanes<Pack>)-1u) {
+      for (std::size_t c = 0; c < 3; ++c) store(slip_[c].data() + pair, after[c]);
+      continue;
+    }
     std::array<std::array<double, lanes<Pack>>, 3> slips;
     for (std::size_t c = 0; c < 3; ++c) store(slips[c].data(), after[c]);
-    for_each_bit(pushes, [&](std::size_t lane) {
-      set_slip(first_pair + static_cast<std::size_t>(numbers[lane]), {slips[0][lane], slips[1][lane], slips[2][lane]});
-    });
+    for_each_bit(pushes, [&](std::size_t lane) { set_slip(pair + lane, {slips[0][lane], slips[1][lane], slips[2][lane]}); });
   }
   const auto total = [](Pack pack) {
     std::array<double, lanes<Pack>> of_lane;
@@ -285,19 +323,15 @@ void ShortRange::add_pairs(std::size_t m, std::size_t first, std::size_t last, s
   got.friction_dissipation += 0.25 * total(rubbed);
 }
 
-/// State of a new pair in the order of pairs; those from there to last - 1 move up by one.
+/// A new pair in the order of pairs, not in range; those from there to last - 1 move up by one.
 void ShortRange::insert_pair(std::size_t at, std::size_t last) {
   const auto bit = [](std::size_t pair) { return static_cast<std::uint8_t>(1u << pair % byte_lanes); };
   const auto set_near = [&](std::size_t pair, bool near) {
     std::uint8_t& byte = is_near_[pair / byte_lanes];
     byte = static_cast<std::uint8_t>(near ? byte | bit(pair) : byte & ~bit(pair));
   };
-  for (std::size_t pair = last; pair > at; --pair) {
-    set_near(pair, is_near_[(pair - 1) / byte_lanes] & bit(pair - 1));
-    if (law_.friction > 0) set_slip(pair, slip_of(pair - 1));
-  }
+  for (std::size_t pair = last; pair > at; --pair) set_near(pair, is_near_[(pair - 1) / byte_lanes] & bit(pair - 1));
   set_near(at, false);
-  if (law_.friction > 0) set_slip(at, {});
 }
 
 /// Dissipates the energy of the tangential spring of a pair out of contact.
@@ -342,14 +376,15 @@ void ShortRange::keep_pairs() {
   if (is_near_.size() * byte_lanes < near_pairs_.pair_count()) return;  // none has been evaluated
   for (std::size_t m = 0; m < members.size(); ++m) {
     const NearPairs::Pairs pairs = near_pairs_.pairs_of(m);
-    const std::size_t first = near_pairs_.first_pair(m);
-    for (std::size_t n = 0; n < pairs.count; ++n) {
+    std::size_t next = near_pairs_.first_pair(m);  // in range
+    for_each_near(m, [&](std::size_t n) {
+      const std::size_t pair = next++;
       const std::uint64_t id = members[m].id, other = members[static_cast<std::size_t>(pairs.others[n])].id;
-      if (!((is_near_[(first + n) / byte_lanes] >> (n % byte_lanes)) & 1u) || other < id) continue;
+      if (other < id) return;
       kept_.ends.push_back(id), kept_.ends.push_back(other);
       if (law_.friction > 0)
-        for (std::size_t c = 0; c < 3; ++c) kept_.slips.push_back(slip_[c][first + n]);
-    }
+        for (std::size_t c = 0; c < 3; ++c) kept_.slips.push_back(slip_[c][pair]);
+    });
   }
 }
 
@@ -394,10 +429,8 @@ void ShortRange::rebuild_derived_pairs() {
   std::fill(near_.begin(), near_.end(), 0);  // packs of eight are read
   is_near_.assign(count / byte_lanes, 0);
   if (law_.friction > 0) {
-    resize_to(near_number_, count + byte_lanes);
-    std::fill(near_number_.begin(), near_number_.end(), 0);
     for (fccda::AlignedVector<double>& component : slip_) {
-      resize_to(component, count);
+      resize_to(component, count + byte_lanes);
       std::fill(component.begin(), component.end(), 0.0);
     }
   }
@@ -427,8 +460,7 @@ void ShortRange::restore_pairs() {
     const std::int32_t* found = std::lower_bound(pairs.others, end, static_cast<std::int32_t>(*other));
     if (found == end || *found != static_cast<std::int32_t>(*other)) return;
     const std::size_t pair = near_pairs_.first_pair(*m) + static_cast<std::size_t>(found - pairs.others);
-    const auto bit = static_cast<std::uint8_t>(1u << pair % byte_lanes);
-    is_near_[pair / byte_lanes] = static_cast<std::uint8_t>(is_near_[pair / byte_lanes] | bit);
+    is_near_[pair / byte_lanes] |= static_cast<std::uint8_t>(1u << pair % byte_lanes);
     if (law_.friction > 0) set_slip(pair, slip);
   };
   ListsByRank<SentPair> sent;
@@ -439,8 +471,25 @@ void ShortRange::restore_pairs() {
   }
   for (const auto& [from, pairs] : exchange_lists(near_pairs_.ranks(), sent))
     for (const SentPair& pair : pairs) restore(pair.ends[1], pair.ends[0], -pair.slip);
+  // slips lie in the places of their pairs in the list, and move to those of the pairs in range
+  fccda::parallel_for(static_cast<std::ptrdiff_t>(near_count_.size()), [&](std::ptrdiff_t member) {
+    const auto m = static_cast<std::size_t>(member);
+    const std::size_t first = near_pairs_.first_pair(m);
+    for_each_near(m, [&](std::size_t number) {
+      const std::size_t to = first + near_count_[m]++;
+      if (law_.friction > 0) set_slip(to, slip_of(first + number));
+    });
+  });
   kept_ = {};
   is_kept_ = false;
+}
+
+/// Calls f(number) for the pairs of a member in range.
+template <class F>
+void ShortRange::for_each_near(std::size_t m, const F& f) const {
+  const std::uint8_t* bits = is_near_.data() + near_pairs_.first_pair(m) / byte_lanes;
+  for (std::size_t first = 0; first < near_pairs_.pairs_of(m).count; first += byte_lanes)
+    for_each_bit(bits[first / byte_lanes], [&](std::size_t lane) { f(first + lane); });
 }
 
 ShortRange::Bound ShortRange::bound(std::span<const ContactingBody> bodies, std::size_t b) const {

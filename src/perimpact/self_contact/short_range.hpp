@@ -107,14 +107,17 @@ class ShortRange {
   /// Eight pairs of a member, from positions alone.
   struct Eight {
     unsigned near;                                                ///< bits of those within the support of the weight function
-    alignas(64) std::array<double, fccda::byte_lanes> densities;  ///< their contributions to the density
+    alignas(64) std::array<double, fccda::byte_lanes> densities;  ///< their contributions to the density; of others undefined
   };
+
+  class SlipsInRange;
 
   Eight eight_of(std::size_t member, const std::int32_t* others) const;
   void evaluate(std::size_t member, std::span<const ContactingBody> bodies, double dt);
   PairSum add_to(std::size_t member, std::span<const ContactingBody> bodies, double dt);
-  /// Adds the contributions of its near pairs first … last - 1, all with its own body or all with others.
-  void add_pairs(std::size_t member, std::size_t first, std::size_t last, std::span<const ContactingBody> bodies, double dt, Vec3d& force, PairSum& got);
+  /// Adds the contributions of its near pairs first … last - 1, all with its own body (`whose` 0) or all with others (1).
+  void add_pairs(std::size_t member, std::size_t first, std::size_t last, std::size_t whose, std::span<const ContactingBody> bodies, double dt, Vec3d& force,
+                 PairSum& got);
   ParticleContactForce force_of_pair(std::size_t member, std::size_t other, std::size_t whose, std::span<const ContactingBody> bodies, double dt,
                                      Vec3d& slip) const;
   void insert_pair(std::size_t at, std::size_t last);
@@ -130,6 +133,8 @@ class ShortRange {
   void rebuild_derived_pairs();
   void reset_particles_out_of_range();
   void restore_pairs();
+  template <class F>
+  void for_each_near(std::size_t member, const F& f) const;
   template <class T>
   T distance_of(T size_i, T size_j) const {
     return T(law_.distance_ratio) * (T(0.5) * (size_i + size_j));
@@ -166,9 +171,8 @@ class ShortRange {
 
   // of their pairs, from first_pair() on
   fccda::AlignedVector<std::int32_t> near_;           // the other members of the pairs in range, contiguous
-  fccda::AlignedVector<std::int32_t> near_number_;    // their indices among the member's pairs; with friction only
+  std::array<fccda::AlignedVector<double>, 3> slip_;  // [m] extensions of their tangential springs, in the same places; with friction only, 0 out of contact
   std::vector<std::uint8_t> is_near_;                 // one bit per pair, of the last evaluation
-  std::array<fccda::AlignedVector<double>, 3> slip_;  // [m] extension of the tangential springs, with friction only; 0 out of contact
   double energy_ = 0;
   std::size_t in_contact_now_ = 0;
   std::array<double, 3> work_{};  // [J] of friction, dashpots and compaction

@@ -109,7 +109,7 @@ double rubble_of(const BodySetup& setup, const FragmentContactSetup& fragments) 
   // lattice points within 2.5 and 2 spacings, the reach of the list and of the weight function
   const double listed = (setup.is_plane() ? 20 : 80) * std::pow((2 * fragments.distance_ratio + 0.5) / 2.5, dimension);
   const double near = (setup.is_plane() ? 8 : 26) * std::pow(fragments.distance_ratio, dimension);
-  const double pair = (fragments.friction > 0 ? 4.25 : 3.25) * slot_number + of_pair, gap = 4 * pair, found = 2 * slot_number,
+  const double pair = 3.25 * slot_number + of_pair, gap = 4 * pair, found = 2 * slot_number,
                kept = 2 * number + of_pair;  // stored once per pair
   const double member = 3 * vector + 17 * number;
   return listed * (pair + found) + gap + near / 2 * kept + member;
