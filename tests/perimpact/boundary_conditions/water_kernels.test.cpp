@@ -81,7 +81,9 @@ struct PlainWater {
     std::map<std::array<int, 2>, std::uint32_t> top;
     std::map<std::array<int, 2>, bool> lost;
     for (const std::uint32_t slot : slots) top[column(slot)] = slot, lost[column(slot)] |= exposure.has_lost(slot);
-    for (const auto& [of, slot] : top) {
+    for (const auto& one : top) {
+      const std::array<int, 2>& of = one.first;
+      const std::uint32_t slot = one.second;
       const bool is_covered = std::ranges::any_of(particles.slot_of(), [&](std::uint32_t other) { return other > slot && column(other) == of; });
       const double depth = water.level - particles.position.at(slot).z - 0.5 * particles.size_of(slot);
       is_dry[slot] = !is_covered && !lost[of] && !(depth > water.dry_top);

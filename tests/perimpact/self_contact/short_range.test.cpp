@@ -204,7 +204,8 @@ TEST_CASE(
   constexpr double dt = 1e-6;  // particles go 0.03 of a spacing a step
   for (const auto points : {fixtures::Points::lattice, fixtures::Points::listed, fixtures::Points::shaken})
     for (const auto plane : {Plane::none, Plane::stress})
-      for (const auto& [share, damping_ratio] : {std::pair{0.0, 0.2}, {0.05, 0.2}, {1.0, 0.2}, {0.05, 0.0}, {1.0, 0.0}}) {
+      for (const auto& one : {std::pair{0.0, 0.2}, {0.05, 0.2}, {1.0, 0.2}, {0.05, 0.0}, {1.0, 0.0}}) {
+        const double share = one.first, damping_ratio = one.second;
         CAPTURE(static_cast<int>(points));
         CAPTURE(static_cast<int>(plane));
         CAPTURE(share);
