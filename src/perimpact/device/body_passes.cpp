@@ -31,6 +31,7 @@ BodyPasses::BodyPasses(Device& device, Body& body)
       words_(device, words_of(slots_, rows_)),
       travel_(device, travel_blocks(body.particles)),
       energy_(device, slots_),
+      energy_of_eights_(device, slots_ / byte_lanes),
       fracture_(device, slots_),
       found_(device, slots_),
       is_hot_(device, slots_),
@@ -299,10 +300,14 @@ void BodyPasses::enter_broken(Family& family, SumsOfEights& sums) {
 
 /// The energy of each eight. `in_two_visits`: as the host adds it where particles are postponed, these last.
 void BodyPasses::enter_energy(SumsOfEights& sums, bool in_two_visits) {
+  if (!in_two_visits) {
+    device_->launch(SumLanesKernel{energy_.data(), energy_of_eights_.data()}, sums.energy.size());
+    return device_->download(sums.energy.data(), energy_of_eights_.data(), sums.energy.size() * sizeof(double));
+  }
   std::vector<double> energy(slots_);
-  std::vector<Found> found(slots_, Found::nothing);
+  std::vector<Found> found(slots_);
   device_->download(energy.data(), energy_.data(), energy.size() * sizeof(double));
-  if (in_two_visits) device_->download(found.data(), found_.data(), found.size() * sizeof(Found));
+  device_->download(found.data(), found_.data(), found.size() * sizeof(Found));
   std::fill(sums.energy.begin(), sums.energy.end(), 0.0);
   for (const bool is_postponed : {false, true})
     for (std::size_t slot = 0; slot < slots_; ++slot)

@@ -50,7 +50,7 @@ class BodyPasses {
   Mirrors mirrors_;
   MirroredVectors motion_, forces_;
   DeviceArray<std::uint32_t> words_;  // bonds
-  DeviceArray<double> travel_, energy_, fracture_;
+  DeviceArray<double> travel_, energy_, energy_of_eights_, fracture_;
   DeviceArray<Found> found_;
   DeviceArray<std::uint8_t> is_hot_;
   DeviceArray<std::uint32_t> broken_count_, broken_;  // a GrowingList

@@ -226,6 +226,24 @@ TEST_CASE("device: where bonds break, those of the slots that lose some travel, 
   }
 }
 
+TEST_CASE("device: where energies are sampled, a number of each eight travels in addition") {
+  for (const double nu : {0.25, 0.4}) {
+    CAPTURE(nu);
+    Body body = moving({.poissons_ratio = nu, .critical_stretch = 1.0});
+    EmulatedDevice device;
+    BodyOnDevice on_device(device, body);
+    on_device.evaluate(body, dt, false);
+    std::size_t downloaded[2];
+    for (const bool with_energy : {false, true}) {
+      const std::size_t before = device.copied().downloaded;
+      on_device.evaluate(body, dt, with_energy);
+      downloaded[with_energy ? 1 : 0] = device.copied().downloaded - before;
+    }
+    CHECK(downloaded[1] - downloaded[0] == body.particles.slots() / 8 * sizeof(double));
+    CHECK(body.internal.elastic_energy() > 0);
+  }
+}
+
 TEST_CASE("device: after renew() it continues from a state that the host has changed") {
   EmulatedDevice device;
   const fixtures::BodyOptions options{.critical_stretch = 6e-3};

@@ -90,10 +90,19 @@ Setup floating_sheet(double added_mass = 0) {
   return setup;
 }
 
+/// The same sheet with its top just below the level: the columns under the ball are flooded, by their depth and by broken bonds.
+Setup drowning_sheet() {
+  Setup setup = floating_sheet();
+  FloatingSetup& water = std::get<FloatingSetup>(setup.bodies[0].boundary_conditions[0].kind);
+  water.level = 0.2005, water.dry_top = 0.004;
+  return setup;
+}
+
 struct Result {
   std::vector<std::vector<double>> rows;
   std::uint64_t hash = 0;
   std::size_t contacts = 0, broken_bonds = 0;
+  double flooding = 0;  // [J]
 };
 
 Result run(Simulation& simulation) {
@@ -104,6 +113,8 @@ Result run(Simulation& simulation) {
     if (simulation.monitors().is_due(simulation.clock())) result.rows.emplace_back(simulation.monitors().row().begin(), simulation.monitors().row().end());
   }
   for (const Body& body : simulation.bodies()) result.broken_bonds += body.internal.broken_bonds();
+  for (const NamedBoundaryCondition& one : simulation.boundary_conditions()[0].all())
+    if (const auto* water = std::get_if<Floating>(&one.boundary)) result.flooding += water->flooding_dissipation();
   result.hash = simulation.state_hash();
   return result;
 }
@@ -119,6 +130,7 @@ Result expect_same(const Setup& setup, const std::vector<UserForceOnBody>& user_
   CHECK(found.hash == expected.hash);
   CHECK(found.contacts == expected.contacts);
   CHECK(found.broken_bonds == expected.broken_bonds);
+  CHECK(found.flooding == expected.flooding);
   return expected;
 }
 
@@ -151,6 +163,10 @@ TEST_CASE("simulation on a device: every boundary condition, also where contact 
     CHECK(result.contacts > 100);
     CHECK(result.broken_bonds > 0);
   }
+  Setup intact = drowning_sheet();
+  std::get<BondBasedSetup>(intact.bodies[0].material).critical_stretch = 1;
+  CHECK(expect_same(intact).flooding > 0);  // by the depth
+  CHECK(expect_same(drowning_sheet()).flooding > 0);
 }
 
 TEST_CASE("simulation on a device: user forces, material that yields, and contact between fragments are bitwise those of the scalar kernel") {
