@@ -33,6 +33,14 @@ inline Setup floating_box(const Vec3d& size, double z, const FloatingSetup& wate
   return setup;
 }
 
+/// [m] z of the middle of the only body.
+inline double middle(const Simulation& simulation) {
+  const Particles& particles = simulation.bodies()[0].particles;
+  double sum = 0;
+  for (const std::uint32_t slot : particles.slot_of()) sum += particles.position.at(slot).z;
+  return sum / static_cast<double>(particles.size());
+}
+
 /// What water did to a box up to the end of its run, from the rows of the history.
 struct WaterBalance {
   double impulse = 0;       // [N s] upward

@@ -19,6 +19,7 @@ using fixtures::calm;
 using fixtures::complaint;
 using fixtures::gravity;
 using fixtures::ice;
+using fixtures::middle;
 using fixtures::sea;
 using fixtures::value;
 
@@ -30,13 +31,6 @@ constexpr double hydrostatics = side / 2 - side * ice / sea;  // [m] z of the mi
 /// A block of soft ice with its middle at z.
 Setup block(double z, const FloatingSetup& water, double end, double density = ice) {
   return fixtures::floating_box({side, side, side}, z, water, end, {.density = density, .spacing = spacing});
-}
-
-double middle(const Simulation& simulation) {
-  const Particles& particles = simulation.bodies()[0].particles;
-  double sum = 0;
-  for (const std::uint32_t slot : particles.slot_of()) sum += particles.position.at(slot).z;
-  return sum / static_cast<double>(particles.size());
 }
 
 /// [s] between the first and the last upward crossing of z by the centre, over the number of oscillations between.

@@ -13,6 +13,7 @@
 
 using namespace perimpact;
 using fixtures::ice;
+using fixtures::middle;
 using fixtures::sea;
 
 namespace {
@@ -25,13 +26,6 @@ Setup block(double above, double mass_scaling, double end) {
   Setup setup = fixtures::floating_box({side, side, side}, hydrostatics + above, fixtures::calm(), end, {.density = ice, .spacing = 0.5});
   setup.bodies[0].mass_scaling = mass_scaling;
   return setup;
-}
-
-double middle(const Simulation& simulation) {
-  const Particles& particles = simulation.bodies()[0].particles;
-  double sum = 0;
-  for (const std::uint32_t slot : particles.slot_of()) sum += particles.position.at(slot).z;
-  return sum / static_cast<double>(particles.size());
 }
 
 /// A bar with one end fixed that moves at 1 m/s.
