@@ -123,7 +123,7 @@ TEST_CASE("water columns: a standing wave of a strip is slower by the water of t
     Simulation simulation(setup);
     return 2 * pi / period(simulation, [&](const Vec3d& at) { return std::cos(k * at.x); });
   };
-  const double rotation = ice * height * height * height / 12 * k * k;          // rotary inertia
+  const double rotation = ice * height * height * height / 12 * k * k;             // rotary inertia
   const double in_air = std::pow(frequency(0, 1), 2) * (ice * height + rotation);  // D k⁴ + ρ_w g, with the stiffness of these layers
   const double plate = 2e7 * height * height * height / (12 * (1 - 0.0625)) * std::pow(k, 4) + foundation;
   CHECK(in_air == fixtures::relative(plate, 0.15));  // four layers of two particles are a fifth softer than a plate
