@@ -2,7 +2,7 @@
 """Times the beginning of the ice cases on one core, writes results/ice_<machine>.csv and prints it as a table.
 
     benchmarks/ice/steps.py                          on an idle machine
-    benchmarks/ice/steps.py --before PROGRAM         alternates with another build, four minutes: ratios within one run
+    benchmarks/ice/steps.py --before PROGRAM         alternates with another build, five minutes: ratios within one run
 
 Results are those of the fastest round, from the timers of run.json; the final states of both programs must be identical.
 """
@@ -22,6 +22,7 @@ CASES = {  # deck, and simulated time
     "ship": ("ship_ice/deck.yaml", "time.end=0.5 s"),
     "propeller": ("propeller_ice/deck.yaml", "time.end=40 ms"),
     "submarine": ("submarine_surfacing/deck.yaml", "time.end=0.2 s"),
+    "uikku": ("uikku_ice/deck.yaml", "time.end=0.1 s"),
 }
 TIMERS = ("contact", "forces", "fragments", "boundary_conditions")
 

@@ -16,7 +16,7 @@ FCCDA_HD Pack least_stretch(const Bonds& bonds, const Lengths& lengths, const st
   Pack most(0.0);  // 1 - |η + ξ|²/|ξ|², which increases as the stretch decreases
   for_each_bond<Pack>(bonds, x, slot, Unbreakable{}, [&](const auto& bond) {
     const Pack length = lengths.template length<Pack>(bond.index);
-    most = fccda::larger(most, fccda::select(bond.intact, Pack(1.0) - bond.squared_length / (length * length)));
+    most = fccda::larger(most, bond.where_intact(Pack(1.0) - bond.squared_length / (length * length)));
   });
   const Pack squared = fccda::larger(Pack(1.0) - most, Pack(1e-12));  // lower bound for bonds of zero length
   return squared * fccda::inverse_square_root(squared) - Pack(1.0);

@@ -99,7 +99,7 @@ SmallMatrix<Pack, D> moment_of_pack(const View& body, std::size_t slot, const st
   for_each_bond<Pack>(
       body.bonds, of, slot, breaking,
       [&](const auto& bond) {
-        add_outer(moment, bond.between, body.shapes.template reference<Pack>(bond, of_i), select(bond.intact, body.shapes.template weight<Pack>(bond.index)));
+        add_outer(moment, bond.between, body.shapes.template reference<Pack>(bond, of_i), bond.where_intact(body.shapes.template weight<Pack>(bond.index)));
       },
       [&](const auto&) { broke = true; });
   return moment;
@@ -117,7 +117,7 @@ void make_shape(const View& body, std::size_t slot) {
   SmallMatrix<Pack, D> shape;
   for_each_bond<Pack>(body.bonds, body.x, slot, Unbreakable{}, [&](const auto& bond) {
     const Vec3<Pack> xi = body.shapes.template reference<Pack>(bond, of_i);
-    add_outer(shape, xi, xi, select(bond.intact, body.shapes.template weight<Pack>(bond.index)));
+    add_outer(shape, xi, xi, bond.where_intact(body.shapes.template weight<Pack>(bond.index)));
   });
   const SmallMatrix<Pack, D> inverse = Correspondence::inverse_shape(shape);
   std::size_t n = 0;

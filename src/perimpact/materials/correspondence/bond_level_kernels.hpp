@@ -62,7 +62,7 @@ template <std::size_t D, class Pack, bool with_rate, class View>
   [[maybe_unused]] const std::array<const double*, 3> v = body.particles.velocity.pointers();
   for_each_bond<Pack>(body.bonds, body.x, slot, Unbreakable{}, [&](const auto& bond) {
     const Vec3<Pack> xi = body.shapes.template reference<Pack>(bond, of_i);
-    const Pack weight = select(bond.intact, body.shapes.template weight<Pack>(bond.index));
+    const Pack weight = bond.where_intact(body.shapes.template weight<Pack>(bond.index));
     const Pack shared = weight * bond.neighbour.of(body.shape[body.shape.size() - 2]);
     const Vec3<Pack> d = difference_along<D>(gradient, body.gradient, bond, xi);
     add_outer(turning, d, xi, shared);
@@ -104,7 +104,7 @@ void bond_level_stress(const View& body, std::size_t slot) {
   SmallMatrix<Pack, D> turning;  // T
   for_each_bond<Pack>(body.bonds, body.x, slot, Unbreakable{}, [&](const auto& bond) {
     const Vec3<Pack> xi = body.shapes.template reference<Pack>(bond, of_i);
-    const Pack weight = select(bond.intact, body.shapes.template weight<Pack>(bond.index));
+    const Pack weight = bond.where_intact(body.shapes.template weight<Pack>(bond.index));
     add_outer(turning, difference_along<D>(gradient, body.gradient, bond, xi), xi, weight * bond.neighbour.of(body.shape[body.shape.size() - 2]));
   });
   const SmallMatrix<Pack, D> turned = turning * inverse;  // T K⁻¹
@@ -132,7 +132,7 @@ void bond_level_return(const View& body, std::size_t slot) {
     for (std::size_t r = 0; r < D; ++r)
       for (std::size_t s = 0; s < D; ++s)
         d[r] = fused_multiply_add(fused_multiply_add(of_j, carried.m[r][s], Pack(-1.0) * remaining * bond.neighbour.of(body.carried[r * D + s])), xi[s], d[r]);
-    add_outer(sum, d, xi, select(bond.intact, body.shapes.template weight<Pack>(bond.index)));
+    add_outer(sum, d, xi, bond.where_intact(body.shapes.template weight<Pack>(bond.index)));
   });
   const SmallMatrix<Pack, D> returned = sum * inverse_shape_of<D, Pack>(body, slot);
   for (std::size_t r = 0; r < D; ++r)

@@ -22,7 +22,7 @@ Pack remainder_of_pack(const View& body, std::size_t slot, const SmallMatrix<Pac
       for (std::size_t s = 0; s < D; ++s) z = z - gradient.m[r][s] * xi[s];
       squares = fused_multiply_add(z, z, squares);
     }
-    sum = fused_multiply_add(select(bond.intact, body.shapes.template weight<Pack>(bond.index)), squares, sum);
+    sum = fused_multiply_add(bond.where_intact(body.shapes.template weight<Pack>(bond.index)), squares, sum);
   });
   return sum;
 }
@@ -44,7 +44,7 @@ template <std::size_t D, class Pack, class View>
         for (std::size_t s = 0; s < D; ++s) pull = fused_multiply_add(response.through.m[r][s], xi[s], pull);
       sum = fused_multiply_add(pull, bond.neighbour.of(v[r]) - load<Pack>(v[r] + slot), sum);
     }
-    power = fused_multiply_add(select(bond.intact, body.shapes.template weight<Pack>(bond.index)), sum, power);
+    power = fused_multiply_add(bond.where_intact(body.shapes.template weight<Pack>(bond.index)), sum, power);
   });
   const Pack energy = fused_multiply_add(Pack(0.5) * response.along, remainder_of_pack<D, Pack>(body, slot, response.gradient), response.energy);
   return energy_of_pack(fused_multiply_add(Pack(-0.5 * dt), power, energy), body.particles, slot);
@@ -82,7 +82,7 @@ void force_of_pack(const View& body, std::size_t slot, VectorArray& force_densit
   for (std::size_t n = 0; n <= D * D; ++n) own[n] = load<Pack>(body.response[n] + slot);
   for_each_bond<Pack>(body.bonds, body.x, slot, Unbreakable{}, [&](const auto& bond) {
     const Vec3<Pack> xi = body.shapes.template reference<Pack>(bond, of_i);
-    const Pack weight = select(bond.intact, body.shapes.template weight<Pack>(bond.index));
+    const Pack weight = bond.where_intact(body.shapes.template weight<Pack>(bond.index));
     const Pack along = own[D * D] + bond.neighbour.of(body.response[D * D]);
     for (std::size_t r = 0; r < D; ++r) {
       Pack pull = along * bond.between[r];

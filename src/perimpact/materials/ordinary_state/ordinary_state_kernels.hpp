@@ -87,7 +87,7 @@ FCCDA_COLD FCCDA_HD double released_energy(const View& body, std::size_t slot, c
   const Pack rate = Pack(0.5) * pull * dot(bond.between, relative_velocity<Pack>(body, slot, bond));
   const Pack released = OrdinaryState::stretch_energy(folded, bond.squared_length * inverse_length) - Pack(0.5 * body.dt) * rate;
   const Pack density = correction.stretch.corrected(released, correction.stretch.template of<Pack>(slot), bond.index, bond.neighbour);
-  return energy_of_pack(select(bond.intact, density), body.particles, slot);
+  return energy_of_pack(bond.where_intact(density), body.particles, slot);
 }
 
 /// Contribution of the bonds of a pack to the rate of θ [1/s].
@@ -105,7 +105,7 @@ FCCDA_COLD FCCDA_HD double released_dilatation_energy(const View& body, std::siz
   Pack rate(0.0);
   for_each_bond<Pack>(body.bonds, body.particles.position, slot, Unbreakable{}, [&](const auto& bond) {
     const Pack slope = dilatation_rate<Pack>(body, slot, bond);
-    rate += select(bond.intact, correction.dilatation.corrected(slope, of_i, bond.index, bond.neighbour));
+    rate += bond.where_intact(correction.dilatation.corrected(slope, of_i, bond.index, bond.neighbour));
   });
   const auto density = [&](Pack of_sum, Pack of_rate) {
     const Pack theta = correction.dilatation_of(correction.pushing(of_sum, slot), slot),
@@ -121,7 +121,7 @@ FCCDA_HD void dilatation_of_pack(const View& body, std::size_t slot, const Break
   const auto of_i = correction.dilatation.template of<Pack>(slot);
   const auto term_of = [&](const auto& bond) {
     const Pack term = OrdinaryState::dilatation(body.constants.template constants<Pack>(bond.index), length_of(bond.squared_length));
-    return select(bond.intact, correction.dilatation.corrected(term, of_i, bond.index, bond.neighbour));
+    return bond.where_intact(correction.dilatation.corrected(term, of_i, bond.index, bond.neighbour));
   };
   Pack theta(0.0);
   [[maybe_unused]] double released = 0;
@@ -132,7 +132,7 @@ FCCDA_HD void dilatation_of_pack(const View& body, std::size_t slot, const Break
       [&](const auto& bond) {
         released += released_energy<Pack>(body, slot, bond, correction);
         gone += term_of(bond);
-        gone_rate += select(bond.intact, correction.dilatation.corrected(dilatation_rate<Pack>(body, slot, bond), of_i, bond.index, bond.neighbour));
+        gone_rate += bond.where_intact(correction.dilatation.corrected(dilatation_rate<Pack>(body, slot, bond), of_i, bond.index, bond.neighbour));
         broke = true;
       });
   if constexpr (Breaker::is_armed)
@@ -157,13 +157,13 @@ FCCDA_HD double force_of_pack(const View& body, std::size_t slot, const Breaker&
       const Pack push = OrdinaryState::dilatation_force(folded, theta_i, bond.neighbour.of(body.theta));
       pull = fused_multiply_add(correction.dilatation.corrected(push, dilatation_of_i, bond.index, bond.neighbour), inverse_length, pull);
     }
-    pull = select(bond.intact, pull);
+    pull = bond.where_intact(pull);
     force.x = fused_multiply_add(pull, bond.between.x, force.x);
     force.y = fused_multiply_add(pull, bond.between.y, force.y);
     force.z = fused_multiply_add(pull, bond.between.z, force.z);
     if constexpr (with_energy) {
       const Pack stored = OrdinaryState::stretch_energy(folded, bond.squared_length * inverse_length);
-      energy += select(bond.intact, correction.stretch.corrected(stored, stretch_of_i, bond.index, bond.neighbour));
+      energy += bond.where_intact(correction.stretch.corrected(stored, stretch_of_i, bond.index, bond.neighbour));
     }
   };
   [[maybe_unused]] double released = 0;

@@ -96,7 +96,7 @@ struct BodyView {
 template <class Pack, bool is_plastic, class View>
 class Strains {
  public:
-  FCCDA_HD Strains(const View& body, std::size_t slot) : body_(body) {
+  FCCDA_HD Strains(const View& body, std::size_t slot) : body_(body), constants_(body.constants) {
     if constexpr (is_plastic)
       for (std::size_t c = 0; c < 6; ++c) own_[c] = load<Pack>(body.strain[c] + slot);
   }
@@ -104,9 +104,9 @@ class Strains {
   /// s_e; bitwise equal at both ends, and with and without `is_plastic` where no strain is plastic.
   template <class Neighbour>
   FCCDA_HD Pack of(std::size_t index, Pack squared_length, const Neighbour& neighbour) const {
-    const Pack total = fused_multiply_add(squared_length, Pack(body_.constants.template constants<Pack>(index).half_inverse), Pack(-0.5));
+    const Pack total = fused_multiply_add(squared_length, Pack(constants_.template constants<Pack>(index).half_inverse), Pack(-0.5));
     if constexpr (!is_plastic) return total;
-    return total - projected(body_.constants.template projection<Pack>(index), own_, body_.strain, neighbour);
+    return total - projected(constants_.template projection<Pack>(index), own_, body_.strain, neighbour);
   }
 
   /// ½ n·(A_i + A_j)·n
@@ -120,6 +120,7 @@ class Strains {
 
  private:
   const View& body_;
+  decltype(View::constants) constants_;  // in registers, though broken bonds are written
   PackTensor<Pack> own_;
 };
 
@@ -145,9 +146,12 @@ struct BreakUnderPressure {
   }
   template <class Neighbour>
   FCCDA_HD unsigned bits(std::size_t index, Pack squared_length, Pack, const Neighbour& j) const {
+    const Pack strain = strains.of(index, squared_length, j);
+    if (bits_where_greater(strain, resistance) == 0) [[likely]]  // the neighbour and pressure only raise the limit; most bonds need neither
+      return 0;
     const Pack squeezed = larger(pressure + j.of(body.pressure), Pack(0.0));
     const Pack limit = fused_multiply_add(slope + j.of(body.pressure_slope), squeezed, resistance + j.of(body.resistance));
-    return bits_where_greater(strains.of(index, squared_length, j), limit);
+    return bits_where_greater(strain, limit);
   }
 };
 
@@ -175,7 +179,7 @@ FCCDA_COLD FCCDA_HD double released_energy(const View& body, std::size_t slot, c
   const auto& constants = body.constants.template constants<Pack>(bond.index);
   const Pack held = Pack(0.25) * Pack(constants.spring) * Pack(constants.squared) * strain * strain_before<Pack>(body, slot, bond, strain);
   const Pack density = correction.stretch.corrected(held, correction.stretch.template of<Pack>(slot), bond.index, bond.neighbour);
-  return energy_of_pack(select(bond.intact, density), body.particles, slot);
+  return energy_of_pack(bond.where_intact(density), body.particles, slot);
 }
 
 /// Whether bonds break in a pass: not.
@@ -211,7 +215,7 @@ FCCDA_HD void dilatation_of_pack(const View& body, std::size_t slot, const Break
   const auto of_i = correction.dilatation.template of<Pack>(slot);
   const auto term_of = [&](const auto& bond, Pack strain) {
     const Pack term = Pack(body.constants.template constants<Pack>(bond.index).dilatation) * strain;
-    return select(bond.intact, correction.dilatation.corrected(term, of_i, bond.index, bond.neighbour));
+    return bond.where_intact(correction.dilatation.corrected(term, of_i, bond.index, bond.neighbour));
   };
   const auto strain_of = [&](const auto& bond) { return strains.of(bond.index, bond.squared_length, bond.neighbour); };
   Pack theta(0.0);
@@ -257,22 +261,23 @@ FCCDA_HD OfPack<Pack> force_of_pack(const View& body, std::size_t slot, const Br
   Vec3<Pack> force{Pack(0.0), Pack(0.0), Pack(0.0)};
   Pack work(0.0), virial(0.0);
   [[maybe_unused]] PackTensor<Pack> sums{};
+  const auto constants_of = body.constants;
   const auto add = [&](const auto& bond) {
-    const auto& constants = body.constants.template constants<Pack>(bond.index);
+    const auto& constants = constants_of.template constants<Pack>(bond.index);
     const Pack strain = strains.of(bond.index, bond.squared_length, bond.neighbour);
     Pack pull = correction.stretch.corrected(Pack(constants.spring) * strain, stretch_of_i, bond.index, bond.neighbour);
-    pull = select(bond.intact, pull);
+    pull = bond.where_intact(pull);
     const Pack squared(constants.squared);
     work = fused_multiply_add(pull * squared, strain, work);
     if constexpr (has_dilatation) {
       const Pack push = Pack(constants.push) * (theta_i + bond.neighbour.of(body.theta));
-      pull += select(bond.intact, correction.dilatation.corrected(push, dilatation_of_i, bond.index, bond.neighbour));
+      pull += bond.where_intact(correction.dilatation.corrected(push, dilatation_of_i, bond.index, bond.neighbour));
     }
     force.x = fused_multiply_add(pull, bond.between.x, force.x);
     force.y = fused_multiply_add(pull, bond.between.y, force.y);
     force.z = fused_multiply_add(pull, bond.between.z, force.z);
     if constexpr (with_stress) {
-      const auto& projection = body.constants.template projection<Pack>(bond.index);
+      const auto& projection = constants_of.template projection<Pack>(bond.index);
       const Pack power = pull * squared;
       for (std::size_t c = 0; c < 6; ++c) sums[c] = fused_multiply_add(power, Pack(projection[c]), sums[c]);
     }
