@@ -46,8 +46,7 @@ requires std::is_same_v<Pack, double> FCCDA_HD double gather(const double* from,
 /// Component c of row index[lane] in each lane of pack c; `rows` has four doubles each. On processors that gather slowly, several times as fast as four
 /// times gather(), and a row is one half of a cache line.
 template <class Pack>
-requires std::is_same_v<Pack, double>
-[[gnu::always_inline]] inline std::array<double, 4> gather_rows(const double* rows, const std::int32_t* index) {
+requires std::is_same_v<Pack, double> FCCDA_HD std::array<double, 4> gather_rows(const double* rows, const std::int32_t* index) {
   const double* row = rows + 4 * static_cast<std::ptrdiff_t>(*index);
   return {row[0], row[1], row[2], row[3]};
 }
@@ -61,7 +60,7 @@ FCCDA_HD inline double larger(double a, double b) { return a > b ? a : b; }
 
 /// Calls f(lane) for each set bit, in ascending order.
 template <class F>
-void for_each_bit(unsigned bits, const F& f) {
+FCCDA_HD void for_each_bit(unsigned bits, const F& f) {
   for (; bits != 0; bits &= bits - 1) f(static_cast<std::size_t>(std::countr_zero(bits)));
 }
 

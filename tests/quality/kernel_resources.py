@@ -12,9 +12,10 @@ from pathlib import Path
 SKIPPED = 77
 ARCHITECTURES = {"sm_80", "sm_90"}
 # Kind → most registers. The second visit of bonds has work in few threads.
-LIMITS = {"advance": 32, "travel": 72, "list": 32, "boundary condition": 72, "pressed strength": 56, "dilatation": 64, "force": 72, "second visit": 128,
+LIMITS = {"advance": 32, "travel": 72, "list": 32, "boundary condition": 72, "fragments": 96, "pair forces": 160, "pressed strength": 56, "dilatation": 64, "force": 72, "second visit": 128,
           "dilatation of what may yield": 72, "force of what may yield": 128, "with plastic strain": 144, "second visit of what may yield": 192}
 BOUNDARY = ("LoadKernel", "LiftKernel", "DeepTopsKernel", "WetKernel", "ResistKernel", "DampKernel", "ImposeKernel", "ListedTravelKernel", "ReactKernel")
+FRAGMENTS = ("MovedKernel", "MovedTogetherKernel", "GatherMembersKernel", "InsertBrokenPairsKernel", "DensityKernel", "SumMembersKernel")
 ENTRY = re.compile(
     r"Compiling entry function '(\w+)' for '(sm_\d+)'.*?(\d+) bytes stack frame, (\d+) bytes spill stores, (\d+) bytes spill loads.*?Used (\d+) registers", re.DOTALL)
 
@@ -22,6 +23,7 @@ ENTRY = re.compile(
 def kind_of(name):
     for start, kind in (("AdvanceKernel", "advance"), ("::TravelKernel", "travel"), ("GatherKernel", "list"), ("ScatterKernel", "list"),
                         ("GatherBondsKernel", "list"), ("ScatterEightsKernel", "list"), ("SumLanesKernel", "list"), *((name, "boundary condition") for name in BOUNDARY),
+                        ("PairForcesKernel", "pair forces"), *((f"device::{name}", "fragments") for name in FRAGMENTS),
                         ("PressedStrengthKernel", "pressed strength"), ("HotStressKernel", "force of what may yield")):
         if start in name:
             return kind

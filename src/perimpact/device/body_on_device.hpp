@@ -32,7 +32,7 @@ struct DeviceTraffic {
 struct SlotsOnHost {
   std::size_t due = 0;        ///< for which contact with impactors is evaluated; others than the loaded ones
   std::size_t displaced = 0;  ///< by contact, of those due
-  std::size_t loaded = 0;     ///< whose force densities the host changes; all, with user forces or contact between fragments
+  std::size_t loaded = 0;     ///< whose force densities the host changes; all, with user forces
   std::size_t broken = 0;     ///< with bonds that break in the step
 };
 

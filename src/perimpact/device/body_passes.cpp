@@ -243,6 +243,15 @@ void BodyPasses::enter_density(const Particles& particles, SumsOfEights& sums) {
   for (std::size_t slot = 0; slot < slots_; ++slot) sums.energy[slot / byte_lanes] += energy_of_pack(density[slot], particles, slot);
 }
 
+ArraysOfBody BodyPasses::arrays(Particles& particles) const {
+  ArraysOfBody arrays{particles.position.pointers(), particles.velocity.pointers(), particles.force_density.writable_pointers(), words_.data(),
+                      words_of_slot(rows_)};
+  for (auto* vectors : {&arrays.position, &arrays.velocity})
+    for (const double*& component : *vectors) component = mirrors_.at(component);
+  for (double*& component : arrays.force) component = mirrors_.at(component);
+  return arrays;
+}
+
 BondsOfSlots BodyPasses::bonds(const Family& family) const { return {words_.data(), mirrors_.at(family.offsets().data()), rows_}; }
 
 Findings BodyPasses::findings() const { return {found_.data(), energy_.data(), fracture_.data(), {broken_count_.data(), broken_.data()}}; }

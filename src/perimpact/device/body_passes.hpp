@@ -10,6 +10,7 @@
 #include "perimpact/device/device.hpp"
 #include "perimpact/device/mirrored_vectors.hpp"
 #include "perimpact/device/mirrors.hpp"
+#include "perimpact/device/short_range_device_kernels.hpp"
 
 namespace perimpact::device {
 
@@ -24,6 +25,7 @@ class BodyPasses {
   MirroredVectors& motion() { return motion_; }  ///< positions and velocities
   MirroredVectors& forces() { return forces_; }  ///< force densities
   Mirrors& mirrors() { return mirrors_; }        ///< of the arrays of the body
+  ArraysOfBody arrays(Particles& particles) const;
 
  private:
   void pass(OrdinaryStateForce& force, Body& body, double dt, bool with_energy, SumsOfEights& sums);

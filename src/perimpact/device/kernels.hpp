@@ -18,6 +18,7 @@
 #include "perimpact/device/elastic_kernels.hpp"
 #include "perimpact/device/list_kernels.hpp"
 #include "perimpact/device/plastic_device_kernels.hpp"
+#include "perimpact/device/short_range_device_kernels.hpp"
 #include "perimpact/force/correction_kernels.hpp"
 #include "perimpact/particles/advance.hpp"
 
@@ -44,8 +45,8 @@ struct TravelKernel {
 };
 
 /// All kernels.
-using Kernel = fccda::JoinedVariant<AdvanceKernel, TravelKernel, GatherKernel, ScatterKernel, GatherBondsKernel, BoundaryKernels, PressedStrengthKernel,
-                                    ElasticKernels<NoCorrections>, ElasticKernels<Corrections<EnergyFactor, EnergyFactor>>,
+using Kernel = fccda::JoinedVariant<AdvanceKernel, TravelKernel, GatherKernel, ScatterKernel, GatherBondsKernel, BoundaryKernels, ShortRangeKernels,
+                                    PressedStrengthKernel, ElasticKernels<NoCorrections>, ElasticKernels<Corrections<EnergyFactor, EnergyFactor>>,
                                     ElasticKernels<Corrections<VolumeFactor, VolumeFactor>>, ElasticKernels<Corrections<FamilyFactor, PlainBonds, true>>,
                                     PlasticKernels<NoCorrections>, PlasticKernels<Corrections<EnergyFactor, EnergyFactor>>,
                                     PlasticKernels<Corrections<VolumeFactor, VolumeFactor>>>;

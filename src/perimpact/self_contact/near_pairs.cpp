@@ -10,7 +10,6 @@ namespace perimpact {
 
 namespace {
 
-constexpr double far = std::numeric_limits<double>::infinity();
 constexpr std::size_t block = 256;  // particles per task of a thread
 
 /// Skin in mean spacings of the finest body. Measured (benchmarks/fragments): where a quarter or all of a plate disperses at a hundredth of the speed of
@@ -35,7 +34,7 @@ void for_each_block(std::size_t count, const F& f) {
 }  // namespace
 
 NearPairs::NearPairs(const ShortRangeLaw& law, std::span<const ContactingBody> bodies) : law_(law) {
-  double finest = far, largest = 0;
+  double finest = std::numeric_limits<double>::infinity(), largest = 0;
   std::size_t count = 0;
   std::uint64_t first_id = 0;
   for (const ContactingBody& body : bodies) count += body.particles.size();
@@ -63,35 +62,37 @@ NearPairs::NearPairs(const ShortRangeLaw& law, std::span<const ContactingBody> b
   first_pair_.assign(1, 0);
 }
 
-bool NearPairs::needs_new_list(std::span<const ContactingBody> bodies) {
+bool NearPairs::needs_new_list(std::span<const ContactingBody> bodies, const Moved& moved) {
   bool is_valid = is_known_;
   for (std::size_t b = 0; b < bodies.size(); ++b)
-    for (const std::uint32_t slot : exposures_[b].update(bodies[b].family, bodies[b].broken_ends)) is_valid = is_valid && near_damage_[particle_at_[b][slot]];
-  const bool has_moved = has_moved_by_skin(bodies);
+    for (const std::uint32_t slot : exposures_[b].update(bodies[b].family, bodies[b].broken_ends)) {
+      const std::uint32_t particle = particle_at_[b][slot];
+      is_valid = is_valid && near_damage_[particle];
+      if (!is_valid || member_of_[particle] == none) continue;  // make() examines all members
+      exposed_[member_of_[particle]] = 1;
+      ++times_exposed_;
+    }
+  const bool has_moved = has_moved_by_skin(moved);
   return ranks().any(!is_valid) || has_moved;
 }
 
-bool NearPairs::has_moved_by_skin(std::span<const ContactingBody> bodies) {
-  struct Moved {
-    Vec3d low{far, far, far}, high{-far, -far, -far};
-    double furthest = 0;  // [m²] from the drift
-  };
+NearPairs::Moved NearPairs::moved(std::span<const ContactingBody> bodies) const {
   std::vector<Moved> of_block((particles_.size() + block - 1) / block);
   for_each_block(particles_.size(), [&](std::size_t first, std::size_t last) {
     Moved moved;
     for (std::size_t p = first; p < last; ++p) {
       if (particles_[p].is_foreign) continue;
       const Vec3d by = bodies[particles_[p].body].particles.position.at(particles_[p].slot) - reference_positions_.at(p);
-      for (std::size_t c = 0; c < 3; ++c) moved.low[c] = std::min(moved.low[c], by[c]), moved.high[c] = std::max(moved.high[c], by[c]);
-      moved.furthest = std::max(moved.furthest, squared_norm(by - drift_));
+      moved.include({by, by, squared_norm(by - drift_)});
     }
     of_block[first / block] = moved;
   });
   Moved all;
-  for (const Moved& moved : of_block) {
-    for (std::size_t c = 0; c < 3; ++c) all.low[c] = std::min(all.low[c], moved.low[c]), all.high[c] = std::max(all.high[c], moved.high[c]);
-    all.furthest = std::max(all.furthest, moved.furthest);
-  }
+  for (const Moved& moved : of_block) all.include(moved);
+  return all;
+}
+
+bool NearPairs::has_moved_by_skin(const Moved& all) {
   std::array<double, 7> largest = {-all.low.x, -all.low.y, -all.low.z, all.high.x, all.high.y, all.high.z, all.furthest};
   ranks().max(largest);
   const Vec3d low{-largest[0], -largest[1], -largest[2]}, high{largest[3], largest[4], largest[5]};
@@ -168,7 +169,10 @@ void NearPairs::refresh_foreign(std::span<const ContactingBody> bodies) {
     const Particles& particles = bodies[i.body].particles;
     return ForeignState{particles.position.at(i.slot), particles.velocity.at(i.slot), exposures_[i.body].is_exposed(i.slot)};
   };
-  foreign_.refresh<ForeignState>(ranks(), state_of, [&](std::size_t foreign, const ForeignState& state) { foreign_states_[foreign] = state; });
+  foreign_.refresh<ForeignState>(ranks(), state_of, [&](std::size_t foreign, const ForeignState& state) {
+    foreign_states_[foreign] = state;
+    if (const std::uint32_t m = member_of_[foreign_particles_[foreign]]; m != none) exposed_[m] = state.is_exposed != 0;
+  });
 }
 
 void NearPairs::make(std::span<const ContactingBody> bodies) {
@@ -205,6 +209,7 @@ void NearPairs::make(std::span<const ContactingBody> bodies) {
   first_pair_.assign(1, 0);
   pair_counts_.clear();
   broken_ends_.clear();
+  exposed_.clear();
   std::vector<std::uint8_t> is_used(foreign_.all().size(), 0);
   if (!is_used.empty())
     for (const Part& part : parts)
@@ -221,6 +226,7 @@ void NearPairs::make(std::span<const ContactingBody> bodies) {
     member_of_[p] = static_cast<std::uint32_t>(members_.size());
     members_.push_back(particle);
     pair_counts_.push_back(count);
+    exposed_.push_back(is_exposed(particle));
     broken_ends_.push_back(particle.is_foreign ? 0 : bodies[particle.body].broken_ends[particle.slot / fccda::byte_lanes]);
     first_pair_.push_back(first_pair_.back() + (count + fccda::byte_lanes - 1) / fccda::byte_lanes * fccda::byte_lanes);
   }

@@ -16,12 +16,14 @@
 #include <limits>
 #include <optional>
 #include <span>
+#include <utility>
 #include <vector>
 
 #include "base/aligned.hpp"
 #include "perimpact/family/exposure.hpp"
 #include "perimpact/self_contact/contacting_body.hpp"
 #include "perimpact/self_contact/foreign_particles.hpp"
+#include "perimpact/self_contact/pairs_view.hpp"
 #include "perimpact/self_contact/short_range_law.hpp"
 #include "perimpact/self_contact/wrapped_cells.hpp"
 
@@ -54,16 +56,28 @@ class NearPairs {
     Vec3d position, velocity;  ///< [m], [m/s]
     std::uint64_t is_exposed;
   };
-  /// The possible contacts of a member, by body and slot: its pairs without an intact bond. Packs of eight may be read.
+  /// The possible contacts of a member, by body and slot: its pairs without an intact bond.
   struct Pairs {
     std::size_t count;
     const std::int32_t* others;  ///< members
+  };
+  /// Displacements of this rank's particles since the list was built.
+  struct Moved {
+    Vec3d low{infinity, infinity, infinity}, high{-infinity, -infinity, -infinity};  ///< [m] extremes of each component
+    double furthest = 0;                                                             ///< [m²] from the drift
+
+    constexpr void include(const Moved& other) {
+      low = min(low, other.low), high = max(high, other.high);
+      furthest = std::max(furthest, other.furthest);
+    }
+    static constexpr double infinity = std::numeric_limits<double>::infinity();
   };
 
   NearPairs(const ShortRangeLaw& law, std::span<const ContactingBody> bodies);
 
   /// Returns whether the list is out of date; to be called once per step. make() rebuilds it. Both are collective.
-  bool needs_new_list(std::span<const ContactingBody> bodies);
+  bool needs_new_list(std::span<const ContactingBody> bodies) { return needs_new_list(bodies, moved(bodies)); }
+  bool needs_new_list(std::span<const ContactingBody> bodies, const Moved& moved);
   void make(std::span<const ContactingBody> bodies);
   /// Receives the state of foreign members from their owners; to be called in each step, after make(). Collective.
   void refresh_foreign(std::span<const ContactingBody> bodies);
@@ -73,18 +87,30 @@ class NearPairs {
   /// Forces a rebuild in the next step.
   void forget() { is_known_ = false; }
 
-  /// Inserts the pairs of a member whose bonds have broken since the last call into pairs_of(member); to be called in each step, for each
-  /// member. Calls inserted(at, last) for each: of all pairs, at is new, and those from there to last - 1 have moved up by one.
-  template <class Inserted>
-  void insert_broken(std::size_t member, std::span<const ContactingBody> bodies, const Inserted& inserted);
+  /// True if bonds of its eight have broken since the last call, so that some of its pairs may no longer be bonded (insert_broken_pairs()). To be called in
+  /// each step, for each member of this rank.
+  bool has_new_broken_bonds(std::size_t member, std::span<const ContactingBody> bodies) {
+    if (unbonded_counts_[member] == pair_counts_[member]) return false;
+    const std::uint32_t ends = bodies[members_[member].body].broken_ends[members_[member].slot / fccda::byte_lanes];
+    return std::exchange(broken_ends_[member], ends) != ends;
+  }
 
   std::span<const Member> members() const { return members_; }  ///< by body and slot
   Pairs pairs_of(std::size_t member) const { return {unbonded_counts_[member], others_.data() + first_pair_[member]}; }
   std::size_t first_pair(std::size_t member) const { return first_pair_[member]; }  ///< index of its first pair among all pairs, a multiple of eight
   std::size_t pair_count() const { return first_pair_.back(); }                     ///< including the padding after each member's pairs
-  bool is_exposed(const Member& member) const {
-    return member.is_foreign ? foreign_states_[member.slot].is_exposed != 0 : exposures_[member.body].is_exposed(member.slot);
+  PairsView view() { return {first_pair_.data(), pair_counts_.data(), unbonded_counts_.data(), exposed_.data(), others_.data(), bonds_.data()}; }
+  /// Calls visit(span) for the arrays of view(). They are renewed by make().
+  template <class Visit>
+  void visit_arrays(const Visit& visit) {
+    visit(std::span(first_pair_)), visit(std::span(pair_counts_)), visit(std::span(unbonded_counts_)), visit(std::span(exposed_));
+    visit(std::span(others_)), visit(std::span(bonds_));
   }
+  std::span<std::uint8_t> exposed() { return exposed_; }                           ///< of each member
+  std::size_t times_exposed() const { return times_exposed_; }                     ///< changes of exposed() since construction
+  std::span<const Member> particles() const { return particles_; }                 ///< all of this rank, with or without pairs, and foreign ones
+  const VectorArray& reference_positions() const { return reference_positions_; }  ///< [m] of particles(), when the list was built
+  const Vec3d& drift() const { return drift_; }                                    ///< [m] approximate common displacement since
   const ForeignState& foreign_state(const Member& member) const { return foreign_states_[member.slot]; }
   /// The member of that id; nothing if it has no pairs here.
   std::optional<std::size_t> member_of_id(std::uint64_t id) const;
@@ -93,12 +119,16 @@ class NearPairs {
   std::size_t times_made() const { return times_made_; }
 
  private:
-  static constexpr std::uint32_t no_bond = std::numeric_limits<std::uint32_t>::max(), none = no_bond;
+  static constexpr std::uint32_t none = no_bond;
 
   struct Found {
     std::uint32_t particle, bond;
   };
-  bool has_moved_by_skin(std::span<const ContactingBody> bodies);
+  Moved moved(std::span<const ContactingBody> bodies) const;
+  bool has_moved_by_skin(const Moved& moved);
+  bool is_exposed(const Member& member) const {
+    return member.is_foreign ? foreign_states_[member.slot].is_exposed != 0 : exposures_[member.body].is_exposed(member.slot);
+  }
   void find_foreign(std::span<const ContactingBody> bodies);
   void mark_cells();
   bool has_lost(const Member& particle) const {
@@ -134,8 +164,10 @@ class NearPairs {
   std::vector<std::size_t> first_pair_;
   std::vector<std::uint32_t> pair_counts_, unbonded_counts_;  // of each member; pairs without an intact bond come first
   std::vector<std::uint32_t> broken_ends_;                    // of each member's eight, when its bonds were last examined
-  fccda::AlignedVector<std::int32_t> others_;
-  std::vector<std::uint32_t> bonds_;  // row of the bond in the family of the member's eight slots if it is intact; else no_bond
+  std::vector<std::uint8_t> exposed_;                         // of each member
+  std::size_t times_exposed_ = 0;
+  fccda::AlignedVector<std::int32_t> others_;  // packs of eight are read
+  std::vector<std::uint32_t> bonds_;
   bool is_known_ = false;
   std::size_t times_made_ = 0;
 };
@@ -148,30 +180,6 @@ void NearPairs::refresh_members(const ValueOf& value_of, const Set& set) const {
     return member == none ? T{} : value_of(std::size_t{member});
   };
   foreign_.refresh<T>(ranks(), of_own, [&](std::size_t foreign, const T& value) { set(std::size_t{member_of_[foreign_particles_[foreign]]}, value); });
-}
-
-template <class Inserted>
-void NearPairs::insert_broken(std::size_t member, std::span<const ContactingBody> bodies, const Inserted& inserted) {
-  std::uint32_t& unbonded = unbonded_counts_[member];
-  if (unbonded == pair_counts_[member]) return;
-  const Member& i = members_[member];
-  const ContactingBody& body = bodies[i.body];
-  const std::uint32_t ends = body.broken_ends[i.slot / fccda::byte_lanes];
-  if (broken_ends_[member] == ends) return;
-  broken_ends_[member] = ends;
-  const std::uint8_t* bits = body.family.bytes(i.slot / fccda::byte_lanes);
-  const std::size_t first = first_pair_[member];
-  for (std::size_t pair = first + unbonded; pair < first + pair_counts_[member]; ++pair) {
-    if ((bits[bonds_[pair]] >> (i.slot % fccda::byte_lanes)) & 1u) continue;
-    const auto begin = others_.begin() + static_cast<std::ptrdiff_t>(first), from = others_.begin() + static_cast<std::ptrdiff_t>(pair);
-    const auto at = std::lower_bound(begin, begin + unbonded, *from);
-    const auto index = at - others_.begin();
-    bonds_[pair] = no_bond;
-    std::rotate(bonds_.begin() + index, bonds_.begin() + static_cast<std::ptrdiff_t>(pair), bonds_.begin() + static_cast<std::ptrdiff_t>(pair) + 1);
-    std::rotate(at, from, from + 1);
-    inserted(static_cast<std::size_t>(index), first + unbonded);
-    ++unbonded;
-  }
 }
 
 }  // namespace perimpact

@@ -43,13 +43,13 @@ inline constexpr double weight_reach = 2;
 
 /// Weight W as a function of q².
 template <class Number>
-Number contact_weight(Number q_squared) {
+FCCDA_HD Number contact_weight(Number q_squared) {
   const Number x = fccda::larger(Number(1.0) - Number(0.25) * q_squared, Number(0.0)), cube = x * x * x;
   return cube * cube;
 }
 /// -W'(q)/q as a function of q².
 template <class Number>
-Number contact_weight_slope(Number q_squared) {
+FCCDA_HD Number contact_weight_slope(Number q_squared) {
   const Number x = fccda::larger(Number(1.0) - Number(0.25) * q_squared, Number(0.0)), square = x * x;
   return Number(3.0) * square * square * x;
 }
@@ -109,7 +109,7 @@ struct ParticleContactForce {
 };
 
 /// Contact force. `slip` [m]: extension s of the tangential spring, updated over the last step dt [s].
-inline ParticleContactForce force_of(const ParticleContact& pair_contact, const ShortRangeLaw& law, double dt, Vec3d& slip) {
+FCCDA_HD inline ParticleContactForce force_of(const ParticleContact& pair_contact, const ShortRangeLaw& law, double dt, Vec3d& slip) {
   const double apart = dot(pair_contact.direction, pair_contact.velocity);
   double normal = pair_contact.spring;
   if (law.damping_ratio > 0) normal = std::fmax(0.0, normal - 2 * law.damping_ratio * std::sqrt(pair_contact.stiffness * pair_contact.reduced_mass) * apart);
@@ -117,10 +117,10 @@ inline ParticleContactForce force_of(const ParticleContact& pair_contact, const 
   if (law.friction > 0) {
     // the spring rotates with the pair and keeps its length
     Vec3d before = slip - dot(slip, pair_contact.direction) * pair_contact.direction;
-    const double length = norm(before);
-    if (length > 0) before = (norm(slip) / length) * before;
+    const double length = std::sqrt(dot(before, before));
+    if (length > 0) before = (std::sqrt(dot(slip, slip)) / length) * before;
     const Vec3d reached = before + dt * (pair_contact.velocity - apart * pair_contact.direction);
-    const double pull = pair_contact.tangential_stiffness * norm(reached), most = law.friction * pair_contact.oblique_share * normal;
+    const double pull = pair_contact.tangential_stiffness * std::sqrt(dot(reached, reached)), most = law.friction * pair_contact.oblique_share * normal;
     slip = pull > most ? (most / pull) * reached : reached;
     force.friction = pair_contact.tangential_stiffness * slip;
     force.tangential_energy = 0.5 * pair_contact.tangential_stiffness * squared_norm(slip);

@@ -215,12 +215,16 @@ Simulation::Simulation(const Setup& setup, Start start, std::vector<UserForceOnB
       monitors_(output_of(setup, clock_.dt), bodies_, clock_) {
   for (const Body& body : bodies_) travel_.emplace_back(travel_blocks(body.particles), 0.0);
   expect_solid_bodies(bodies_, impactors_);
-  for (std::size_t b = 0; b < bodies_.size(); ++b) {
-    if (processor_.is_scalar) bodies_[b].internal.use_scalar_kernel();
-    if (!processor_.device) continue;
+  use_scalar_kernels();
+  for (std::size_t b = 0; processor_.device && b < bodies_.size(); ++b) {
     BodyOnDevice body(*processor_.device, bodies_[b]);
     BoundaryConditionsOnDevice boundary_conditions(*processor_.device, body, bodies_[b], boundary_conditions_[b]);
     on_device_.push_back({std::move(body), std::move(boundary_conditions)});
+  }
+  if (processor_.device && fragments_) {
+    std::vector<BodyOnDevice*> all;
+    for (OnDevice& one : on_device_) all.push_back(&one.body);
+    fragments_on_device_.emplace(*processor_.device, all);
   }
   stages_.begin("diagnostics");
   const auto warn = [&](std::vector<std::string> sentences) { std::ranges::move(sentences, std::back_inserter(warnings_)); };
@@ -315,6 +319,13 @@ void Simulation::rebuild(const MovingWindow& window) {
   body.particles.move_lattice(window.first());  // after what is chosen by position: it belongs to slots
   bodies_[b] = body;
   if (fragments_) fragments_ = short_range_of(setup_, bodies_);
+  use_scalar_kernels();
+}
+
+void Simulation::use_scalar_kernels() {
+  if (!processor_.is_scalar) return;
+  for (Body& body : bodies_) body.internal.use_scalar_kernel();
+  if (fragments_) fragments_->use_scalar_kernel();
 }
 
 void Simulation::advance_bodies() {
@@ -393,9 +404,11 @@ void Simulation::compute_bond_forces() {
 
 void Simulation::add_short_range_forces() {
   if (!fragments_) return;
-  bring_to_host();
-  fragments_->add_forces(contacting_bodies(setup_, bodies_), clock_.step > 0 ? clock_.dt : 0);
-  for (OnDevice& one : on_device_) one.body.loaded_on_host();
+  const double dt = clock_.step > 0 ? clock_.dt : 0;
+  if (fragments_on_device_)
+    fragments_on_device_->add_forces(*fragments_, contacting_bodies(setup_, bodies_), dt);
+  else
+    fragments_->add_forces(contacting_bodies(setup_, bodies_), dt);
 }
 
 void Simulation::apply_boundary_conditions() {

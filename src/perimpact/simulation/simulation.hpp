@@ -17,6 +17,7 @@
 #include "perimpact/device/body_on_device.hpp"
 #include "perimpact/device/boundary_conditions_on_device.hpp"
 #include "perimpact/device/processor.hpp"
+#include "perimpact/device/short_range_on_device.hpp"
 #include "perimpact/diagnostics/proximity.hpp"
 #include "perimpact/history/monitors.hpp"
 #include "perimpact/impactor/impactor.hpp"
@@ -84,6 +85,7 @@ class Simulation {
   const std::optional<Relaxation>& relaxation() const { return relaxation_; }  ///< in place of dynamics
   /// Discards the neighbour list of the short-range force; does not change results.
   void forget_near_pairs() {
+    if (fragments_on_device_) fragments_on_device_->to_host(*fragments_);
     if (fragments_) fragments_->forget();
   }
 
@@ -142,6 +144,7 @@ class Simulation {
     for (Body& body : bodies_) body.visit_state(visit);
     for (BoundaryConditions& boundary_conditions : boundary_conditions_) boundary_conditions.visit_state(visit);
     for (Impactor& impactor : impactors_) impactor.visit_state(visit);
+    if (fragments_on_device_) fragments_on_device_->to_host(*fragments_);
     if (fragments_) fragments_->visit_state(contacting_bodies(setup_, bodies_), fccda::under("fragments", visit));
     if (relaxation_) relaxation_->visit_state(fccda::under("relaxation", visit));
   }
@@ -158,6 +161,7 @@ class Simulation {
   void move_windows();
   void move_window(MovingWindow& window, long moves);
   void rebuild(const MovingWindow& window);
+  void use_scalar_kernels();
   void perform_step(const KeepRelaxing& keep_on);
   void time_forces(std::string_view phase, const std::function<void()>& compute);
   void advance_bodies();
@@ -182,6 +186,7 @@ class Simulation {
   Processor processor_;
   std::vector<OnDevice> on_device_;  // each body, if there is a device
   std::optional<ShortRange> fragments_;
+  std::optional<ShortRangeOnDevice> fragments_on_device_;
   Stability stability_;
   Clock clock_;  // counts increments with time.relax
   std::optional<Relaxation> relaxation_;

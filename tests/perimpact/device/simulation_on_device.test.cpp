@@ -98,6 +98,14 @@ Setup drowning_sheet() {
   return setup;
 }
 
+/// A bullet that breaks a plate before a pole, with contact between fragments.
+Setup rubble(Plane plane = Plane::strain, double critical_stretch = 2e-3) {
+  Setup setup = fixtures::rubble({.critical_stretch = critical_stretch, .plane = plane});
+  setup.time = {.end = 8e-6, .step = 8e-6 / steps};
+  setup.output.history_interval = setup.time.end / 2;
+  return setup;
+}
+
 struct Result {
   std::vector<std::vector<double>> rows;
   std::uint64_t hash = 0;
@@ -177,10 +185,47 @@ TEST_CASE("simulation on a device: user forces, material that yields, and contac
   Setup yielding = plate({.critical_stretch = 4e-3});
   std::get<OrdinaryStateSetup>(yielding.bodies[0].material).plasticity.emplace().compressive_strength = 400e6;
   CHECK(expect_same(yielding).contacts > 100);
-  Setup rubble = fixtures::rubble({.critical_stretch = 2e-3, .plane = Plane::strain});
-  rubble.time = {.end = 8e-6, .step = 8e-6 / steps};
-  rubble.output.history_interval = 4e-6;
-  CHECK(expect_same(rubble).broken_bonds > 100);
+  for (const char* what : {"plane", "solid", "without friction", "dashpots", "compacted"}) {
+    CAPTURE(what);
+    Setup setup = rubble(std::string_view(what) == "solid" ? Plane::none : Plane::strain);
+    FragmentContactSetup& law = setup.contact.fragments;
+    if (const std::string_view name(what); name == "without friction") {
+      law.friction = 0;
+    } else if (name == "dashpots") {
+      law.restitution = 0.4;
+    } else if (name == "compacted") {
+      for (BodySetup& body : setup.bodies) std::get<OrdinaryStateSetup>(body.material).plasticity.emplace().compressive_strength = 300e6;
+    }
+    CHECK(expect_same(setup).broken_bonds > 100);
+  }
+}
+
+TEST_CASE("simulation on a device: of contact between fragments sums of eights and displacements of blocks travel, where the list of pairs is not new") {
+  Setup setup = rubble(Plane::strain, 1);
+  constexpr int steps_between_samples = 4;
+  setup.time.step = setup.time.end / (100 * steps_between_samples);
+  DeviceTraffic of_bodies;
+  for (const BodySetup& one : setup.bodies) {
+    Body body = make_body(one);
+    const DeviceTraffic traffic = BodyOnDevice::traffic_of_step(body);
+    of_bodies.uploaded += traffic.uploaded, of_bodies.downloaded += traffic.downloaded;
+  }
+  EmulatedDevice device;
+  Simulation simulation(setup, Start(setup), {}, {.device = &device});
+  int compared = 0;
+  while (!simulation.clock().is_finished()) {
+    const EmulatedDevice::Copied before = device.copied();
+    const std::size_t lists = simulation.fragments()->near_pairs().times_made();
+    simulation.step();
+    const ShortRange& contact = *simulation.fragments();
+    if (simulation.clock().step % steps_between_samples < 2 || contact.near_pairs().times_made() != lists || contact.contacts() == 0) continue;
+    const DeviceTraffic of_contact = ShortRangeOnDevice::traffic_of_step(contact);
+    CAPTURE(simulation.clock().step);
+    CHECK(device.copied().uploaded - before.uploaded == of_bodies.uploaded + of_contact.uploaded);
+    CHECK(device.copied().downloaded - before.downloaded == of_bodies.downloaded + of_contact.downloaded);
+    ++compared;
+  }
+  CHECK(compared > 50);
 }
 
 TEST_CASE("simulation on a device: without contact, samples, breaking bonds and floods only sums of boundary conditions travel, and none without any") {
@@ -208,8 +253,8 @@ TEST_CASE("simulation on a device: without contact, samples, breaking bonds and 
   }
 }
 
-TEST_CASE("simulation on a device: a state and a record change between device and host after any step, with every boundary condition") {
-  for (const Setup& setup : {constrained_plate(), loaded_plate(true), floating_sheet()}) {
+TEST_CASE("simulation on a device: a state and a record change between device and host after any step, with every boundary condition and fragments") {
+  for (const Setup& setup : {constrained_plate(), loaded_plate(true), floating_sheet(), rubble()}) {
     EmulatedDevice device;
     Simulation whole(setup, Start(setup), {}, {.is_scalar = true});
     std::optional<Simulation> taken_up(std::in_place, setup, Start(setup), std::vector<UserForceOnBody>(), Processor{.device = &device});

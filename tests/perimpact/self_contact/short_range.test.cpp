@@ -6,6 +6,7 @@
 #include <cmath>
 #include <map>
 #include <set>
+#include <tuple>
 #include <utility>
 
 #include "fixtures/tolerance.hpp"
@@ -200,19 +201,21 @@ void drift(Pile& pile, double dt) {
 
 TEST_CASE(
     "short range: forces are those of a sum over all pairs, for lattices and clouds, in 3-D and 2-D, intact to fully fragmented, with and without "
-    "dashpots") {
+    "dashpots, by packs and one pair at a time") {
   constexpr double dt = 1e-6;  // particles go 0.03 of a spacing a step
   for (const auto points : {fixtures::Points::lattice, fixtures::Points::listed, fixtures::Points::shaken})
     for (const auto plane : {Plane::none, Plane::stress})
-      for (const auto& one : {std::pair{0.0, 0.2}, {0.05, 0.2}, {1.0, 0.2}, {0.05, 0.0}, {1.0, 0.0}}) {
-        const double share = one.first, damping_ratio = one.second;
+      for (const auto& [share, damping_ratio, is_scalar] :
+           {std::tuple{0.0, 0.2, false}, {0.05, 0.2, false}, {1.0, 0.2, false}, {1.0, 0.2, true}, {0.05, 0.0, false}, {0.05, 0.0, true}, {1.0, 0.0, false}}) {
         CAPTURE(static_cast<int>(points));
         CAPTURE(static_cast<int>(plane));
         CAPTURE(share);
         CAPTURE(damping_ratio);
+        CAPTURE(is_scalar);
         Pile pile = wreck(points, plane, share, damping_ratio);
         const auto bodies = pile.contacts();
         ShortRange contact(pile.law, bodies);
+        if (is_scalar) contact.use_scalar_kernel();
         AllPairs expected;
         for (int step = 0; step < 6; ++step) {
           pile.clear_forces();
@@ -232,37 +235,41 @@ TEST_CASE(
       }
 }
 
-TEST_CASE("short range: bond failure, motion and compaction take effect in the same step, with and without the list") {
+TEST_CASE("short range: bond failure, motion and compaction take effect in the same step, with and without the list, by packs and one pair at a time") {
   constexpr double dt = 1e-8;
-  Pile pile = wreck(fixtures::Points::lattice, Plane::none, 0.02, 0.2);
-  pile.largest_pressure = 2e6;  // some particles yield, and some do not
-  const auto bodies = pile.contacts();
-  ShortRange contact(pile.law, bodies);
-  AllPairs expected;
-  std::mt19937_64 random(17);
-  std::uniform_real_distribution<double> move(-1, 1);
-  for (int round = 0; round < 12; ++round) {
-    const double way = (round % 3 == 0 ? 0.4 : 0.03) * spacing;  // beyond the skin, and within it
-    for (Body& body : pile.bodies)
-      for (const std::uint32_t slot : body.particles.slot_of())
-        body.particles.position.set(slot, body.particles.position.at(slot) + way * Vec3d{move(random), move(random), move(random)});
-    if (round % 4 == 2) {  // everything about one particle breaks, as the bond pass would have it
-      Body& body = pile.bodies[0];
-      const std::size_t where = body.particles.slot_of()[static_cast<std::size_t>(round) * 17];
-      body.family.cut([&](std::size_t i, std::size_t j) { return i == where || j == where; });
-      body.internal.visit_state("", [&](const std::string&, auto values) {
-        if constexpr (std::is_same_v<decltype(values), std::span<std::uint32_t>>)
-          for (std::uint32_t& end : values) ++end;
-      });
+  for (const bool is_scalar : {false, true}) {
+    CAPTURE(is_scalar);
+    Pile pile = wreck(fixtures::Points::lattice, Plane::none, 0.02, 0.2);
+    pile.largest_pressure = 2e6;  // some particles yield, and some do not
+    const auto bodies = pile.contacts();
+    ShortRange contact(pile.law, bodies);
+    if (is_scalar) contact.use_scalar_kernel();
+    AllPairs expected;
+    std::mt19937_64 random(17);
+    std::uniform_real_distribution<double> move(-1, 1);
+    for (int round = 0; round < 12; ++round) {
+      const double way = (round % 3 == 0 ? 0.4 : 0.03) * spacing;  // beyond the skin, and within it
+      for (Body& body : pile.bodies)
+        for (const std::uint32_t slot : body.particles.slot_of())
+          body.particles.position.set(slot, body.particles.position.at(slot) + way * Vec3d{move(random), move(random), move(random)});
+      if (round % 4 == 2) {  // everything about one particle breaks, as the bond pass would have it
+        Body& body = pile.bodies[0];
+        const std::size_t where = body.particles.slot_of()[static_cast<std::size_t>(round) * 17];
+        body.family.cut([&](std::size_t i, std::size_t j) { return i == where || j == where; });
+        body.internal.visit_state("", [&](const std::string&, auto values) {
+          if constexpr (std::is_same_v<decltype(values), std::span<std::uint32_t>>)
+            for (std::uint32_t& end : values) ++end;
+        });
+      }
+      pile.clear_forces();
+      contact.add_forces(bodies, dt);
+      expected.evaluate(pile, dt);
+      REQUIRE(difference(pile, expected) <= 1e-10);
+      if (expected.compaction > 0) CHECK(contact.compaction_dissipation() == fixtures::relative(expected.compaction, 1e-9));
     }
-    pile.clear_forces();
-    contact.add_forces(bodies, dt);
-    expected.evaluate(pile, dt);
-    REQUIRE(difference(pile, expected) <= 1e-10);
-    if (expected.compaction > 0) CHECK(contact.compaction_dissipation() == fixtures::relative(expected.compaction, 1e-9));
+    CHECK(contact.compaction_dissipation() > 0);
+    CHECK(contact.near_pairs().times_made() < 12);
   }
-  CHECK(contact.compaction_dissipation() > 0);
-  CHECK(contact.near_pairs().times_made() < 12);
 }
 
 TEST_CASE("short range: bond failure in place causes no repulsion, and contact acts from that distance on, from the step of failure") {
