@@ -44,7 +44,7 @@ struct Impulse {
 /// Newton iteration for the contact impulse of one step.
 class Coupling {
  public:
-  static constexpr int max_passes = 12, undamped_passes = 6;
+  static constexpr int max_passes = 40, undamped_passes = 6;
 
   explicit Coupling(const RigidBody& at_t0) : at_t0_(at_t0) {}
 
