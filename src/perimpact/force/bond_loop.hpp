@@ -5,6 +5,7 @@
 #include <bit>
 #include <cstddef>
 #include <cstdint>
+#include <type_traits>
 
 #include "base/pack.hpp"
 #include "base/vec3.hpp"
@@ -139,18 +140,24 @@ struct LeaveBroken {
   FCCDA_HD void operator()(const Bond&) const {}
 };
 
-/// Calls per_bond(DeformedBond) for every bond that is intact for at least one particle of the pack. `x`: components of the current positions;
-/// `breaking`: damage/breaking.hpp. Calls per_broken(DeformedBond) for bonds that break, with the lanes in which they break as `intact`.
+/// A copy for packs, which stays in registers: bytes of broken bonds are written in the loop, and a byte may alias anything. On a device the parameters of
+/// a kernel are constants, and registers are scarce.
+template <class Pack, class T>
+using InRegisters = std::conditional_t<(fccda::lanes<Pack> > 1), const T, const T&>;
+
+/// Calls per_bond(DeformedBond) for every bond that is intact for at least one particle of the pack. `positions`: components of the current
+/// ones; `breaking`: damage/breaking.hpp. Calls per_broken(DeformedBond) for bonds that break, with the lanes in which they break as `intact`.
 ///
 /// Bonds break in this loop, where the squared length is available: this adds 10 to 20 % to its cost, a separate pass 45 %. The squared length is
 /// bitwise identical at both ends of a bond, so that they break together.
 template <class Pack, class Bonds, class Breaking, class PerBond, class PerBroken = LeaveBroken>
-FCCDA_HD inline void for_each_bond(const Bonds bonds, const std::array<const double*, 3>& x, std::size_t slot, const Breaking& breaking, PerBond&& per_bond,
-                                   [[maybe_unused]] const PerBroken& per_broken = {}) {
+FCCDA_HD inline void for_each_bond(const Bonds& all_bonds, const std::array<const double*, 3>& positions, std::size_t slot, const Breaking& breaking,
+                                   PerBond&& per_bond, [[maybe_unused]] const PerBroken& per_broken = {}) {
   using namespace fccda;
-  const double *const x0 = x[0], *const x1 = x[1], *const x2 = x[2];  // in registers, though broken bonds are written
-  const Pack minus(-1.0);                                             // x_j + (-x_i) needs one instruction less than x_j - x_i, and has its bits
-  const Vec3<Pack> minus_xi{minus * load<Pack>(x0 + slot), minus * load<Pack>(x1 + slot), minus * load<Pack>(x2 + slot)};
+  InRegisters<Pack, Bonds> bonds = all_bonds;
+  InRegisters<Pack, std::array<const double*, 3>> x = positions;
+  const Pack minus(-1.0);  // x_j + (-x_i) needs one instruction less than x_j - x_i, and has its bits
+  const Vec3<Pack> minus_xi{minus * load<Pack>(x[0] + slot), minus * load<Pack>(x[1] + slot), minus * load<Pack>(x[2] + slot)};
   const std::size_t eight = slot / byte_lanes, first = slot % byte_lanes, rows = bonds.rows(eight);
   auto bits = bonds.bits(slot);
   [[maybe_unused]] const Pack strength = breaking.template of<Pack>(slot);
@@ -159,7 +166,7 @@ FCCDA_HD inline void for_each_bond(const Bonds bonds, const std::array<const dou
     if (intact == 0) continue;
     const std::size_t index = bonds.index(eight, row, first);
     const auto neighbour = bonds.template neighbour<Pack>(slot, index);
-    const Vec3<Pack> between{neighbour.of(x0) + minus_xi.x, neighbour.of(x1) + minus_xi.y, neighbour.of(x2) + minus_xi.z};
+    const Vec3<Pack> between{neighbour.of(x[0]) + minus_xi.x, neighbour.of(x[1]) + minus_xi.y, neighbour.of(x[2]) + minus_xi.z};
     const Pack squared_length = fused_multiply_add(between.z, between.z, fused_multiply_add(between.y, between.y, between.x * between.x));
     if constexpr (Breaking::is_armed) {
       const unsigned broken = intact & breaking.bits(index, squared_length, strength, neighbour);

@@ -120,7 +120,7 @@ class Strains {
 
  private:
   const View& body_;
-  decltype(View::constants) constants_;  // in registers, though broken bonds are written
+  InRegisters<Pack, decltype(View::constants)> constants_;
   PackTensor<Pack> own_;
 };
 
@@ -261,7 +261,7 @@ FCCDA_HD OfPack<Pack> force_of_pack(const View& body, std::size_t slot, const Br
   Vec3<Pack> force{Pack(0.0), Pack(0.0), Pack(0.0)};
   Pack work(0.0), virial(0.0);
   [[maybe_unused]] PackTensor<Pack> sums{};
-  const auto constants_of = body.constants;
+  InRegisters<Pack, decltype(View::constants)> constants_of = body.constants;
   const auto add = [&](const auto& bond) {
     const auto& constants = constants_of.template constants<Pack>(bond.index);
     const Pack strain = strains.of(bond.index, bond.squared_length, bond.neighbour);
