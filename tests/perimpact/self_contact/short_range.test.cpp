@@ -205,8 +205,10 @@ TEST_CASE(
   constexpr double dt = 1e-6;  // particles go 0.03 of a spacing a step
   for (const auto points : {fixtures::Points::lattice, fixtures::Points::listed, fixtures::Points::shaken})
     for (const auto plane : {Plane::none, Plane::stress})
-      for (const auto& [share, damping_ratio, is_scalar] :
+      for (const auto& one :
            {std::tuple{0.0, 0.2, false}, {0.05, 0.2, false}, {1.0, 0.2, false}, {1.0, 0.2, true}, {0.05, 0.0, false}, {0.05, 0.0, true}, {1.0, 0.0, false}}) {
+        const double share = std::get<0>(one), damping_ratio = std::get<1>(one);
+        const bool is_scalar = std::get<2>(one);
         CAPTURE(static_cast<int>(points));
         CAPTURE(static_cast<int>(plane));
         CAPTURE(share);
