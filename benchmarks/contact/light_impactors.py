@@ -1,7 +1,7 @@
 #!/usr/bin/env python3
 """Energy of free impactors with 0.1 to 30 times the mass of a particle that strike elastic blocks, with and without friction: 180 runs at random.
 
-    benchmarks/contact/light_impactors.py [--program PROGRAM]      about six minutes
+    benchmarks/contact/light_impactors.py [--program PROGRAM]      about eight minutes
 
 Writes results/light_impactors.csv: the largest energy of impactor and block in the run relative to that before, how the run ended, and the steps in which
 motion and impulses did not agree. Prints how many runs rose. Exit code 1: a run ended early.

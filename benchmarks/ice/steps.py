@@ -2,7 +2,7 @@
 """Times the beginning of the ice cases on one core, writes results/ice_<machine>.csv and prints it as a table.
 
     benchmarks/ice/steps.py                          on an idle machine
-    benchmarks/ice/steps.py --before PROGRAM         alternates with another build, five minutes: ratios within one run
+    benchmarks/ice/steps.py --before PROGRAM         alternates with another build, six minutes: ratios within one run
 
 Results are those of the fastest round, from the timers of run.json; the final states of both programs must be identical.
 """

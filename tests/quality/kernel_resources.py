@@ -12,8 +12,8 @@ from pathlib import Path
 SKIPPED = 77
 ARCHITECTURES = {"sm_80", "sm_90"}
 # Kind → most registers. The second visit of bonds has work in few threads.
-LIMITS = {"advance": 32, "travel": 72, "list": 32, "boundary condition": 72, "fragments": 96, "pair forces": 160, "pressed strength": 56, "dilatation": 64, "force": 72, "second visit": 128,
-          "dilatation of what may yield": 72, "force of what may yield": 128, "with plastic strain": 144, "second visit of what may yield": 192}
+LIMITS = {"advance": 32, "travel": 72, "list": 32, "boundary condition": 72, "fragments": 96, "pair forces": 160, "pressed strength": 56,
+          "dilatation": 64, "force": 72, "second visit": 128, "dilatation of what may yield": 72, "force of what may yield": 128, "with plastic strain": 144, "second visit of what may yield": 192}
 BOUNDARY = ("LoadKernel", "LiftKernel", "DeepTopsKernel", "WetKernel", "ResistKernel", "DampKernel", "ImposeKernel", "ListedTravelKernel", "ReactKernel")
 FRAGMENTS = ("MovedKernel", "MovedTogetherKernel", "GatherMembersKernel", "InsertBrokenPairsKernel", "DensityKernel", "SumMembersKernel")
 ENTRY = re.compile(
