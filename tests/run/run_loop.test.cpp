@@ -10,7 +10,7 @@
 #include "perimpact/ranks/counting_ranks.hpp"
 #include "perimpact/ranks/in_process.hpp"
 
-namespace perimpact {
+using namespace perimpact;
 
 TEST_CASE("run loop: between steps at which nothing is written it sends the reductions that it states, with and without checkpoints") {
   for (const double interval : {0.0, 300.0}) {
@@ -47,5 +47,3 @@ TEST_CASE("run loop: between steps at which nothing is written it sends the redu
     });
   }
 }
-
-}  // namespace perimpact

@@ -17,7 +17,7 @@
 #include "perimpact/elastic_modes.hpp"
 #include "perimpact/ranks/in_process.hpp"
 
-namespace perimpact {
+using namespace perimpact;
 
 namespace {
 
@@ -269,5 +269,3 @@ TEST_CASE("ranks: results and checkpoints of a body with a moving window under a
     CHECK(resumed.row == one.row);
   }
 }
-
-}  // namespace perimpact

@@ -9,7 +9,7 @@
 #include "fixtures/tolerance.hpp"
 #include "perimpact/bodies.hpp"
 
-namespace perimpact {
+using namespace perimpact;
 
 TEST_CASE("sample: a point is evaluated at the nearest particles, inside the body, in its holes and far outside, in space and in a plane") {
   std::mt19937_64 random(3);
@@ -42,5 +42,3 @@ TEST_CASE("sample: a point is evaluated at the nearest particles, inside the bod
       }
     }
 }
-
-}  // namespace perimpact

@@ -15,7 +15,7 @@
 #include "perimpact/boundary_conditions/absorbing/absorbing.hpp"
 #include "perimpact/boundary_conditions/floating/floating.hpp"
 
-namespace perimpact {
+using namespace perimpact;
 
 namespace {
 
@@ -266,5 +266,3 @@ TEST_CASE("water kernels: the absorbing layer damps bitwise as a loop over parti
     CHECK(work < 0);
   }
 }
-
-}  // namespace perimpact

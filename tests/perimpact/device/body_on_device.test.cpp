@@ -13,7 +13,7 @@
 #include "perimpact/ices.hpp"
 #include "perimpact/particles/advance.hpp"
 
-namespace perimpact {
+using namespace perimpact;
 
 namespace {
 
@@ -269,5 +269,3 @@ TEST_CASE("device: after renew() it continues from a state that the host has cha
   on_device.to_host();
   for (const std::uint32_t slot : body.particles.slot_of()) CHECK(body.particles.position.at(slot) == other.particles.position.at(slot));
 }
-
-}  // namespace perimpact

@@ -7,7 +7,7 @@
 #include "perimpact/boundary_conditions/scene.hpp"
 #include "perimpact/device/emulated_device.hpp"
 
-namespace perimpact {
+using namespace perimpact;
 
 TEST_CASE("boundary conditions on a device: the travel of blocks includes that of prescribed displacements, bitwise as on the host") {
   constexpr double dt = 1e-7;
@@ -38,5 +38,3 @@ TEST_CASE("boundary conditions on a device: the travel of blocks includes that o
     CHECK(particles.velocity.at(slot) == expected.velocity.at(slot));
   }
 }
-
-}  // namespace perimpact

@@ -7,7 +7,7 @@
 #include <stdexcept>
 #include <vector>
 
-namespace perimpact {
+using namespace perimpact;
 
 TEST_CASE("emulated device: memory is not initialised to numbers, and copies outside of it are refused") {
   EmulatedDevice device;
@@ -33,5 +33,3 @@ TEST_CASE("emulated device: each thread runs once, also of a block that is not f
     CHECK(x[threads] == 0);
   }
 }
-
-}  // namespace perimpact

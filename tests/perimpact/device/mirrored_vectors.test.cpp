@@ -12,7 +12,8 @@
 
 #include "perimpact/device/emulated_device.hpp"
 
-namespace perimpact::device {
+using namespace perimpact;
+using namespace perimpact::device;
 
 namespace {
 
@@ -132,5 +133,3 @@ TEST_CASE("mirrored vectors: what the host reads without having fetched it is no
   sides.motion.to_device();
   CHECK(sides.copied() == before);
 }
-
-}  // namespace perimpact::device

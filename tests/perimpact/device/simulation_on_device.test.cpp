@@ -17,7 +17,7 @@
 #include "perimpact/simulation/simulation.hpp"
 #include "perimpact/simulations.hpp"
 
-namespace perimpact {
+using namespace perimpact;
 
 namespace {
 
@@ -287,5 +287,3 @@ TEST_CASE("simulation on a device: what it gives after any step is current") {
     }
   }
 }
-
-}  // namespace perimpact

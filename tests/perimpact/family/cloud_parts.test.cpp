@@ -11,7 +11,7 @@
 #include "perimpact/particles/particles.hpp"
 #include "perimpact/ranks/in_process.hpp"
 
-namespace perimpact {
+using namespace perimpact;
 
 namespace {
 
@@ -109,5 +109,3 @@ TEST_CASE("cloud part: numbers of eights are gathered in the order of the whole 
     });
   }
 }
-
-}  // namespace perimpact

@@ -13,7 +13,7 @@
 #include "perimpact/resuming.hpp"
 #include "perimpact/simulations.hpp"
 
-namespace perimpact {
+using namespace perimpact;
 
 namespace {
 
@@ -267,5 +267,3 @@ TEST_CASE("moving window: what cannot move is refused with its reason") {
   refused([](Setup& s) { s.output.probes = {{"end", "body", {}}}; }, "probes and lines refer to points of it");
   refused([](Setup& s) { s.bodies[0].boundary_conditions = {{"push", BodyForceSetup{}}}; }, "push is none of fixed, absorbing and floating");
 }
-
-}  // namespace perimpact

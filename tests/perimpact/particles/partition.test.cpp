@@ -8,7 +8,7 @@
 
 #include "perimpact/particles/cloud_part.hpp"
 
-namespace perimpact {
+using namespace perimpact;
 
 namespace {
 
@@ -128,5 +128,3 @@ TEST_CASE("partition: a measured load is restored from its numbers") {
     CHECK(restored[part].cost == load[part].cost);
   }
 }
-
-}  // namespace perimpact

@@ -7,7 +7,7 @@
 #include "base/error.hpp"
 #include "perimpact/ranks/in_process.hpp"
 
-namespace perimpact {
+using namespace perimpact;
 
 namespace {
 
@@ -220,5 +220,3 @@ TEST_CASE("share: columns are kept whole on request, and a body of few blocks of
     if (ranks.is_root()) REQUIRE(gathered == std::vector<double>{3, 3, 3, 3, 3, 3, 3, 3, 0, 0, 0, 0, 0, 0, 0, 0});
   });
 }
-
-}  // namespace perimpact

@@ -10,7 +10,7 @@
 #include "perimpact/ranks/delayed_ranks.hpp"
 #include "perimpact/ranks/in_process.hpp"
 
-namespace perimpact {
+using namespace perimpact;
 
 TEST_CASE("counting ranks: messages, reductions and collections are counted with the bytes of this rank, and calls have the results of the ranks inside") {
   std::mutex mutex;
@@ -76,5 +76,3 @@ TEST_CASE("delayed ranks: calls take the time of their messages longer, and have
     CHECK(ranks.traffic().seconds >= 4 * 2e-3 + 64e-3);
   });
 }
-
-}  // namespace perimpact

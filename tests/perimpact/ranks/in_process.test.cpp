@@ -9,7 +9,7 @@
 #include "perimpact/bodies.hpp"
 #include "perimpact/simulation/simulation.hpp"
 
-namespace perimpact {
+using namespace perimpact;
 
 TEST_CASE("ranks as threads: sums, largest values, gathered bytes and messages are those of all ranks") {
   for (const int size : {1, 2, 5}) {
@@ -92,5 +92,3 @@ TEST_CASE("ranks as threads: three ranks of two threads end in the state of one 
   CHECK(hash_of(3) == one);
   fccda::use_threads(before);
 }
-
-}  // namespace perimpact

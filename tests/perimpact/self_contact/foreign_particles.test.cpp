@@ -11,7 +11,7 @@
 #include "perimpact/force/piles.hpp"
 #include "perimpact/ranks/in_process.hpp"
 
-namespace perimpact {
+using namespace perimpact;
 
 namespace {
 
@@ -110,5 +110,3 @@ TEST_CASE("foreign particles: each rank finds those within reach of its own, and
     for (const auto& [f, value] : refreshed) REQUIRE((used[f] == 1 && value == 10.0 * (ranks.rank() - 1)));
   });
 }
-
-}  // namespace perimpact

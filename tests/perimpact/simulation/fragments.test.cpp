@@ -17,7 +17,7 @@
 #include "perimpact/simulation/short_range_of.hpp"
 #include "perimpact/simulations.hpp"
 
-namespace perimpact {
+using namespace perimpact;
 
 using fixtures::run;
 using fixtures::value;
@@ -403,5 +403,3 @@ TEST_CASE("stable step: contact shortens it, and dashpots more so; a pile of rub
   CHECK(1 / (with * with) == fixtures::relative(1 / (without * without) + 12 * k * volume / (2 * fixtures::density), 1e-9));
   CHECK(damped < with);
 }
-
-}  // namespace perimpact

@@ -19,7 +19,7 @@
 #include "perimpact/simulation/memory.hpp"
 #include "perimpact/simulations.hpp"
 
-namespace perimpact {
+using namespace perimpact;
 
 namespace {
 
@@ -327,5 +327,3 @@ TEST_CASE("rank forecast: small bodies are divided among the ranks in turn, and 
         "and point clouds between blocks of eight particles. Use fewer.");
   CHECK(refusal([&] { run_in_process(7, [&](Ranks& its) { Simulation(setup, {}, its); }); }) == forecast);
 }
-
-}  // namespace perimpact

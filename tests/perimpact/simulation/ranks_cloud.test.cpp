@@ -8,7 +8,7 @@
 #include "perimpact/rank_traces.hpp"
 #include "perimpact/simulations.hpp"
 
-namespace perimpact {
+using namespace perimpact;
 
 namespace {
 
@@ -109,5 +109,3 @@ TEST_CASE("ranks: bodies divided by the load that was measured in another run, l
     }
   }
 }
-
-}  // namespace perimpact

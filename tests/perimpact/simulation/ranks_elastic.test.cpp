@@ -11,7 +11,7 @@
 #include "perimpact/rank_scenes.hpp"
 #include "perimpact/rank_traces.hpp"
 
-namespace perimpact {
+using namespace perimpact;
 
 namespace {
 
@@ -78,5 +78,3 @@ TEST_CASE("ranks: an open elastic sheet remembers the particles in contact with 
   CHECK(remembered > 10);
   CHECK(fixtures::expect_equal_on_ranks(setup).broken_bonds > 0);
 }
-
-}  // namespace perimpact

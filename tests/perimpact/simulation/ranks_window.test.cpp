@@ -11,7 +11,7 @@
 #include "perimpact/rank_traces.hpp"
 #include "perimpact/simulations.hpp"
 
-namespace perimpact {
+using namespace perimpact;
 
 namespace {
 
@@ -132,5 +132,3 @@ TEST_CASE("ranks: the warning about a deformed front, and a body that cannot be 
                        "body body cannot be a moving window: it has 62 particles along x, which must be a multiple of 8; make it 0.125 m long along x.",
                        SetupError);
 }
-
-}  // namespace perimpact

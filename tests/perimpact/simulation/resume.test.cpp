@@ -9,7 +9,7 @@
 #include "perimpact/resuming.hpp"
 #include "perimpact/simulations.hpp"
 
-namespace perimpact {
+using namespace perimpact;
 
 namespace {
 
@@ -134,5 +134,3 @@ TEST_CASE("restart: a relaxation interrupted within an increment resumes to the 
   }
   CHECK(parts > iterations / 23);
 }
-
-}  // namespace perimpact
