@@ -34,9 +34,9 @@ endfunction()
 # add_module(mesh DEPENDS base): the sources of src/mesh (not of its sub-folders) as target mesh.
 # The deck part of a material or boundary condition, setup.cpp in its folder, belongs to perimpact/deck_model (features.cmake).
 # With PERIMPACT_GROUPED, GROUPED modules are compiled eight sources at a time: those that take long, have no kernels (what is inlined where
-# depends on what is compiled with it) and name their helpers apart. SELDOM_RUN: whose time is none of a run's (compile_quickly()).
+# depends on what is compiled with it) and name their helpers apart.
 function(add_module path)
-  cmake_parse_arguments(ARG "GROUPED;SELDOM_RUN" "" "DEPENDS;LINK" ${ARGN})
+  cmake_parse_arguments(ARG "GROUPED" "" "DEPENDS;LINK" ${ARGN})
   string(REPLACE "/" "_" target ${path})
   get_filename_component(source_root "${CMAKE_CURRENT_FUNCTION_LIST_DIR}/../src" ABSOLUTE)
   file(GLOB sources CONFIGURE_DEPENDS ${source_root}/${path}/*.cpp)
@@ -67,9 +67,6 @@ function(add_module path)
   endforeach()
   if(ARG_LINK)
     target_link_libraries(${target} ${scope} ${ARG_LINK})
-  endif()
-  if(ARG_SELDOM_RUN)
-    compile_quickly(${target})
   endif()
   set_property(GLOBAL APPEND PROPERTY MODULES ${target})
 endfunction()
