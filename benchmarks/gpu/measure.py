@@ -1,7 +1,7 @@
 #!/usr/bin/env python3
 """A GPU against the processor of the same machine: equal states, steps per second by number of particles, and the ship's whole run.
 
-    benchmarks/gpu/measure.py                    some minutes on a machine with a GPU: writes results/gpu_<device>.csv
+    benchmarks/gpu/measure.py                    some minutes on a machine with a GPU: writes results/gpu_<device>_<machine>.csv
     benchmarks/gpu/measure.py --whole-run        the ship of cases/ship_ice/paper.yaml as well, from beginning to end, on the GPU alone
 
 First the plate, the notched plate and the ship end in the state of `--device cpu-scalar`, compared by state_hash. Then the plate of cases/plate_impact, ordinary
@@ -13,7 +13,7 @@ wanted is not reached. 2: something is missing.
 
 import argparse
 import json
-import re
+import os
 import statistics
 import sys
 import tempfile
@@ -41,14 +41,10 @@ EQUAL = {
 }
 
 
-def words(changes):
-    return [word for key, value in changes.items() for word in ("--set", f"{key}={value}")]
-
-
 def run(program, deck, device, changes):
     """What run.json reports."""
     with tempfile.TemporaryDirectory() as folder:
-        programs.run([program, "run", CASES / deck, "--out", f"{folder}/r", "--device", device, "--no-report", *words(changes)], programs.os.sched_getaffinity(0))
+        programs.run([program, "run", CASES / deck, "--out", f"{folder}/r", "--device", device, "--no-report", *programs.changes(changes)], os.sched_getaffinity(0))
         return json.loads(Path(f"{folder}/r/run.json").read_text())
 
 
@@ -116,8 +112,7 @@ def main():
         report = run(program, "ship_ice/paper.yaml", arguments.device, {"output.frames": 0})
         print(f"ship, whole run: {report['steps']} steps in {sum(report['timers [s]'].values()) / 60:.1f} min", flush=True)
     if rows:
-        kind = "gpu_" + re.sub("[^a-z0-9]+", "_", rows[0]["device"].lower()).strip("_")
-        programs.write_results(kind, rows)
+        programs.write_results(f"gpu {rows[0]['device']}", rows)
     for sentence in [f"{name}: the state differs from that of cpu-scalar" for name in differ] + missed:
         print(f"NOT MET: {sentence}", file=sys.stderr)
     return 1 if differ or missed else 0

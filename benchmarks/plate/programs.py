@@ -18,6 +18,11 @@ class CannotRun(Exception):
     """A missing or failed program, with a remedy."""
 
 
+def changes(values):
+    """The options --set that change these values of a deck."""
+    return [word for key, value in values.items() for word in ("--set", f"{key}={value}")]
+
+
 @dataclass(frozen=True)
 class Variant:
     """A variant of the plate for perimpact."""
@@ -37,7 +42,7 @@ class Variant:
             "material.poissons_ratio": self.nu,
             "material.critical_stretch": 0.5,  # enabled, never reached
         }
-        return [word for key, value in plate.items() for word in ("--set", f"bodies.plate.{key}={value}")]
+        return changes({f"bodies.plate.{key}": value for key, value in plate.items()})
 
 
 def exit_with(main):
@@ -120,7 +125,7 @@ def machine():
 
 def results_file(kind):
     """The file for results of this kind on this machine."""
-    return FOLDER.parent / "results" / f"{kind}_{re.sub('[^a-z0-9]+', '_', machine().lower()).strip('_')}.csv"
+    return FOLDER.parent / "results" / (re.sub("[^a-z0-9]+", "_", f"{kind} {machine()}".lower()).strip("_") + ".csv")
 
 
 def write_results(kind, rows):

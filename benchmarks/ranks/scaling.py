@@ -27,12 +27,11 @@ LENGTH = 0.2  # [m] of the plate
 
 def words(nu, steps, length):
     """Changes of the deck: the family of LAMMPS, bonds that could break, and nothing written during the steps."""
-    changes = {
+    return programs.changes({
         "time.step": "0.1 us", "time.end": f"{0.1 * steps:g} us", "output.frames": 0, "output.history_interval": f"{0.1 * steps:g} us",
         "output.checkpoint_interval": 0, "bodies.plate.family": "madenci-oterkus", "bodies.plate.material.poissons_ratio": nu,
         "bodies.plate.material.critical_stretch": 0.5, "bodies.plate.shape.box.size": f"[{length}, 0.1, 0.009]",
-    }  # fmt: skip
-    return [word for key, value in changes.items() for word in ("--set", f"{key}={value}")]
+    })  # fmt: skip
 
 
 def perimpact(program, nu, steps, ranks, cores, length):
