@@ -36,9 +36,9 @@ inline Setup rubble(const BodyOptions& options = {}) {
   Setup setup;
   setup.time = {.end = 24e-6, .step = 2e-7};
   const bool plane = options.plane != Plane::none;
-  const auto body = [&](const char* name, const Vec3d& size, const Vec3d& position, const Vec3d& velocity, double of_lattice) {
+  const auto body = [&](const char* name, const Vec3d& size, const Vec3d& position, const Vec3d& velocity, double its_spacing) {
     BodyOptions its = options;
-    its.size = {size.x, size.y, plane ? 0.002 : size.z}, its.spacing = of_lattice;
+    its.size = {size.x, size.y, plane ? 0.002 : size.z}, its.spacing = its_spacing;
     BodySetup setup_of_body = body_setup(its);
     setup_of_body.name = name, setup_of_body.position = {position.x, position.y, plane ? 0 : position.z}, setup_of_body.velocity = velocity;
     return setup_of_body;

@@ -175,7 +175,7 @@ TEST_CASE("ranks: equilibria under prescribed displacements and pressure, with b
   up.displacement = 2e-5;
   Setup setup;
   setup.time.end = 1;
-  setup.time.relax = RelaxSetup{.increments = 2, .tolerance = 1e-3};
+  setup.time.relax = RelaxSetup{.increments = 3, .tolerance = 1e-4};
   plate.boundary_conditions = {{"grip", FixedSetup{.particle_set = "low"}},
                                {"pull", PrescribedSetup{.particle_set = "high", .y = up}},
                                {"push", PressureSetup{.face = Choice{face_words, 0}, .value = 2e8}}};
