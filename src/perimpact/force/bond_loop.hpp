@@ -65,6 +65,12 @@ class StencilBonds : public BondsAlongStencil<std::size_t> {
  public:
   explicit StencilBonds(Family& family) : BondsAlongStencil(family.offsets().data(), family.offsets().size()), bits_(family.bytes(0)) {}
 
+  /// The same bonds with other bits.
+  StencilBonds with(std::uint8_t* bits) const {
+    StencilBonds others = *this;
+    others.bits_ = bits;
+    return others;
+  }
   FCCDA_HD std::uint8_t* bytes(std::size_t eight) const { return bits_ + eight * rows(eight); }
   FCCDA_HD BitsOfPack bits(std::size_t slot) const { return {bytes(slot / fccda::byte_lanes), slot % fccda::byte_lanes}; }
 
@@ -83,6 +89,12 @@ class ListedBonds {
     FCCDA_HD Pack of(const double* values) const { return fccda::gather<Pack>(values, slots); }
     FCCDA_HD std::size_t slot_of(std::size_t lane) const { return static_cast<std::size_t>(slots[lane]); }
   };
+  /// The same bonds with other bits.
+  ListedBonds with(std::uint8_t* bits) const {
+    ListedBonds others = *this;
+    others.bits_ = bits;
+    return others;
+  }
   FCCDA_HD std::uint8_t* bytes(std::size_t eight) const { return bits_ + begin_[eight]; }
   FCCDA_HD BitsOfPack bits(std::size_t slot) const { return {bytes(slot / fccda::byte_lanes), slot % fccda::byte_lanes}; }
   FCCDA_HD std::size_t rows(std::size_t eight) const { return begin_[eight + 1] - begin_[eight]; }

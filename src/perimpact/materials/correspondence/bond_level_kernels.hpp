@@ -15,13 +15,8 @@ enum Nearness : std::uint8_t {
   broke_here
 };
 
-template <class Pack, std::size_t N>
-Pack remaining_of(const std::array<double*, N>& shape, std::size_t slot) {
-  return load<Pack>(shape[N - 2] + slot);  // χ
-}
-
 template <std::size_t D, class Pack>
-SmallMatrix<Pack, D> load_matrix(const std::array<double*, D * D>& from, std::size_t slot) {
+FCCDA_HD SmallMatrix<Pack, D> load_matrix(const std::array<double*, D * D>& from, std::size_t slot) {
   SmallMatrix<Pack, D> matrix;
   for (std::size_t r = 0; r < D; ++r)
     for (std::size_t s = 0; s < D; ++s) matrix.m[r][s] = load<Pack>(from[r * D + s] + slot);
@@ -29,14 +24,14 @@ SmallMatrix<Pack, D> load_matrix(const std::array<double*, D * D>& from, std::si
 }
 
 template <std::size_t D, class Pack>
-void store_matrix(const std::array<double*, D * D>& to, std::size_t slot, const SmallMatrix<Pack, D>& matrix) {
+FCCDA_HD void store_matrix(const std::array<double*, D * D>& to, std::size_t slot, const SmallMatrix<Pack, D>& matrix) {
   for (std::size_t r = 0; r < D; ++r)
     for (std::size_t s = 0; s < D; ++s) store(to[r * D + s] + slot, matrix.m[r][s]);
 }
 
 /// (own - neighbour's) ξ for one bond of each particle of a pack.
 template <std::size_t D, class Pack, class Bond>
-Vec3<Pack> difference_along(const SmallMatrix<Pack, D>& own, const std::array<double*, D * D>& all, const Bond& bond, const Vec3<Pack>& xi) {
+FCCDA_HD Vec3<Pack> difference_along(const SmallMatrix<Pack, D>& own, const std::array<double*, D * D>& all, const Bond& bond, const Vec3<Pack>& xi) {
   Vec3<Pack> difference{Pack(0.0), Pack(0.0), Pack(0.0)};
   for (std::size_t r = 0; r < D; ++r)
     for (std::size_t s = 0; s < D; ++s) difference[r] = fused_multiply_add(own.m[r][s] - bond.neighbour.of(all[r * D + s]), xi[s], difference[r]);
@@ -45,13 +40,23 @@ Vec3<Pack> difference_along(const SmallMatrix<Pack, D>& own, const std::array<do
 
 /// Stores F of the particles of one pack, from their moment Σ ω y⊗ξ v V.
 template <std::size_t D, class Pack, class View>
-void store_gradient(const View& body, std::size_t slot, const SmallMatrix<Pack, D>& moment) {
+FCCDA_HD void store_gradient(const View& body, std::size_t slot, const SmallMatrix<Pack, D>& moment) {
   store_matrix<D>(body.gradient, slot, Correspondence::gradient(moment, inverse_shape_of<D, Pack>(body, slot), remaining_of<Pack>(body.shape, slot)));
+}
+
+/// Recomputes the stored F, or dF/dt, of the particles of one pack.
+template <std::size_t D, class Pack, class View>
+FCCDA_HD void renew_gradient(const View& body, std::size_t slot) {
+  store_gradient<D, Pack>(body, slot, moment_of_pack<D, Pack>(body, slot, body.particles.position));
+}
+template <std::size_t D, class Pack, class View>
+FCCDA_HD void renew_rate(const View& body, std::size_t slot) {
+  store_matrix<D>(body.rate, slot, moment_of_pack<D, Pack>(body, slot, body.particles.velocity) * inverse_shape_of<D, Pack>(body, slot));
 }
 
 /// Energy density W - dt W'/2 [J/m³] of the particles of one pack, from the stored gradients (and their rates).
 template <std::size_t D, class Pack, bool with_rate, class View>
-[[gnu::noinline]] Pack bond_level_energy(const View& body, std::size_t slot, [[maybe_unused]] double dt) {
+FCCDA_NOINLINE FCCDA_HD Pack bond_level_energy(const View& body, std::size_t slot) {
   const auto of_i = body.shapes.template of_particle<Pack>(slot);
   const SmallMatrix<Pack, D> gradient = load_matrix<D, Pack>(body.gradient, slot);
   [[maybe_unused]] SmallMatrix<Pack, D> rate, turning_rate;
@@ -59,8 +64,8 @@ template <std::size_t D, class Pack, bool with_rate, class View>
   SmallMatrix<Pack, D> turning;  // T
   Pack residual(0.0), difference(0.0);
   [[maybe_unused]] Pack residual_rate(0.0), difference_rate(0.0);
-  [[maybe_unused]] const std::array<const double*, 3> v = body.particles.velocity.pointers();
-  for_each_bond<Pack>(body.bonds, body.x, slot, Unbreakable{}, [&](const auto& bond) {
+  [[maybe_unused]] const std::array<const double*, 3> v = body.particles.velocity;
+  for_each_bond<Pack>(body.bonds, body.particles.position, slot, Unbreakable{}, [&](const auto& bond) {
     const Vec3<Pack> xi = body.shapes.template reference<Pack>(bond, of_i);
     const Pack weight = bond.where_intact(body.shapes.template weight<Pack>(bond.index));
     const Pack shared = weight * bond.neighbour.of(body.shape[body.shape.size() - 2]);
@@ -91,18 +96,18 @@ template <std::size_t D, class Pack, bool with_rate, class View>
   if constexpr (with_rate) {
     const Pack power =
         remaining * contraction(stress.first, scaled_sum(Pack(1.0), turning_rate * half_inverse, rate)) + c * (residual_rate - Pack(0.25) * difference_rate);
-    energy = fused_multiply_add(Pack(-0.5 * dt), power, energy);
+    energy = fused_multiply_add(Pack(-0.5 * body.dt), power, energy);
   }
   return energy;
 }
 
 /// F¹ of the particles of one pack, its stress Q = χ P K⁻¹, and the part of B without the stresses of neighbours.
 template <std::size_t D, class Pack, class View>
-void bond_level_stress(const View& body, std::size_t slot) {
+FCCDA_HD void bond_level_stress(const View& body, std::size_t slot) {
   const auto of_i = body.shapes.template of_particle<Pack>(slot);
   const SmallMatrix<Pack, D> gradient = load_matrix<D, Pack>(body.gradient, slot), inverse = inverse_shape_of<D, Pack>(body, slot);
   SmallMatrix<Pack, D> turning;  // T
-  for_each_bond<Pack>(body.bonds, body.x, slot, Unbreakable{}, [&](const auto& bond) {
+  for_each_bond<Pack>(body.bonds, body.particles.position, slot, Unbreakable{}, [&](const auto& bond) {
     const Vec3<Pack> xi = body.shapes.template reference<Pack>(bond, of_i);
     const Pack weight = bond.where_intact(body.shapes.template weight<Pack>(bond.index));
     add_outer(turning, difference_along<D>(gradient, body.gradient, bond, xi), xi, weight * bond.neighbour.of(body.shape[body.shape.size() - 2]));
@@ -120,12 +125,12 @@ void bond_level_stress(const View& body, std::size_t slot) {
 
 /// Remaining part of B: stresses of the particle and its neighbours, whose F¹ depend on its F.
 template <std::size_t D, class Pack, class View>
-void bond_level_return(const View& body, std::size_t slot) {
+FCCDA_HD void bond_level_return(const View& body, std::size_t slot) {
   const auto of_i = body.shapes.template of_particle<Pack>(slot);
   const SmallMatrix<Pack, D> carried = load_matrix<D, Pack>(body.carried, slot);
   const Pack remaining = remaining_of<Pack>(body.shape, slot);
   SmallMatrix<Pack, D> sum;
-  for_each_bond<Pack>(body.bonds, body.x, slot, Unbreakable{}, [&](const auto& bond) {
+  for_each_bond<Pack>(body.bonds, body.particles.position, slot, Unbreakable{}, [&](const auto& bond) {
     const Vec3<Pack> xi = body.shapes.template reference<Pack>(bond, of_i);
     const Pack of_j = bond.neighbour.of(body.shape[body.shape.size() - 2]);
     Vec3<Pack> d{Pack(0.0), Pack(0.0), Pack(0.0)};
@@ -142,15 +147,15 @@ void bond_level_return(const View& body, std::size_t slot) {
 
 /// Computes F of the particles of one pack, with bond failure. Packs that lost bonds are completed by account_for_broken().
 template <std::size_t D, class Pack, class View, class Breaking>
-void gradient_of_pack(const View& body, std::size_t slot, const Breaking& breaking, std::uint8_t* known, std::uint8_t* broken) {
-  if constexpr (Breaking::is_armed) follow_bonds<D, Pack>(body, slot, known);
+FCCDA_HD void gradient_of_pack(const View& body, std::size_t slot, const Breaking& breaking) {
+  if constexpr (Breaking::is_armed) follow_bonds<D, Pack>(body, slot);
   [[maybe_unused]] bool broke = false;
-  const SmallMatrix<Pack, D> moment = moment_of_pack<D, Pack>(body, slot, body.x, breaking, broke);
+  const SmallMatrix<Pack, D> moment = moment_of_pack<D, Pack>(body, slot, body.particles.position, breaking, broke);
   if (broke) [[unlikely]] {
-    broken[slot / byte_lanes] = broke_here;
+    body.broken[slot / byte_lanes] = broke_here;
     return;
   }
-  if constexpr (!Breaking::is_armed) follow_bonds<D, Pack>(body, slot, known);
+  if constexpr (!Breaking::is_armed) follow_bonds<D, Pack>(body, slot);
   store_gradient<D, Pack>(body, slot, moment);
 }
 

@@ -31,7 +31,6 @@
 /// Without χ, the stiffness of a particle would grow as its family loses bonds or becomes flat, until the time step is unstable.
 #pragma once
 
-#include <algorithm>
 #include <numbers>
 
 #include "perimpact/materials/correspondence/setup.hpp"
@@ -80,7 +79,7 @@ class Correspondence {
 
   /// Inverse shape tensor K⁻¹ [1/m⁵]; 0 if the family is below least_roundness.
   template <class T, std::size_t D>
-  static SmallMatrix<T, D> inverse_shape(const SmallMatrix<T, D>& shape) {
+  FCCDA_HD static SmallMatrix<T, D> inverse_shape(const SmallMatrix<T, D>& shape) {
     SmallMatrix<T, D> inverse = adjugate(shape);
     const T det = determinant(shape, inverse), mean = trace(shape) * T(1.0 / D);
     const T cube = D == 3 ? mean * mean * mean : mean * mean;
@@ -101,7 +100,7 @@ class Correspondence {
 
   /// Deformation gradient F [-] from `moment` [m⁵], Σ ω y⊗ξ v V; identity if there is no K⁻¹, where `remaining`, χ, is 0.
   template <class T, std::size_t D>
-  static SmallMatrix<T, D> gradient(const SmallMatrix<T, D>& moment, const SmallMatrix<T, D>& inverse, T remaining) {
+  FCCDA_HD static SmallMatrix<T, D> gradient(const SmallMatrix<T, D>& moment, const SmallMatrix<T, D>& inverse, T remaining) {
     const unsigned has_gradient = fccda::bits_where_greater(remaining, T(0.0));
     const SmallMatrix<T, D> one = SmallMatrix<T, D>::identity();
     SmallMatrix<T, D> gradient = moment * inverse;
@@ -117,7 +116,7 @@ class Correspondence {
     T energy;
   };
   template <class T, std::size_t D>
-  FirstStress<T, D> stress(const SmallMatrix<T, D>& gradient) const {
+  FCCDA_HD FirstStress<T, D> stress(const SmallMatrix<T, D>& gradient) const {
     const SmallMatrix<T, D> displacement = scaled_sum(T(-1.0), SmallMatrix<T, D>::identity(), gradient), turned = transpose(displacement),
                             x = scaled_sum(T(1.0), turned * displacement, scaled_sum(T(1.0), turned, displacement));
     const double lambda = elastic_.lame_modulus(), mu = elastic_.shear_modulus();
@@ -127,7 +126,7 @@ class Correspondence {
 
   /// Response for the stabilisations wan and silling.
   template <class T, std::size_t D>
-  Response<T, D> respond(const SmallMatrix<T, D>& moment, const SmallMatrix<T, D>& inverse, T remaining) const {
+  FCCDA_HD Response<T, D> respond(const SmallMatrix<T, D>& moment, const SmallMatrix<T, D>& inverse, T remaining) const {
     const SmallMatrix<T, D> gradient = this->gradient(moment, inverse, remaining);
     const FirstStress<T, D> stress = this->stress(gradient);
     const T c = remaining * stabilisation(trace(inverse));
@@ -136,7 +135,7 @@ class Correspondence {
 
   /// Stabilisation constant c [N/m⁷] of a family with this tr K⁻¹.
   template <class T>
-  T stabilisation(T trace_of_inverse) const {
+  FCCDA_HD T stabilisation(T trace_of_inverse) const {
     return fccda::fused_multiply_add(T(by_shape_), trace_of_inverse, T(uniform_));
   }
 
@@ -144,11 +143,13 @@ class Correspondence {
   /// family: W_i <= k/2 Σ ω |u_j - u_i|² v V. With g = ∇u, Σ ω |u_j - u_i|² v V = tr(g K gᵀ) + Σ ω |z|² v V, and
   /// (tr g)² <= tr(K⁻¹) tr(g K gᵀ), |sym g|² <= tr(g K gᵀ)/k_min.
   template <std::size_t D>
-  double spring_bound(const SmallMatrix<double, D>& inverse) const {
+  FCCDA_HD double spring_bound(const SmallMatrix<double, D>& inverse) const {
     const Eigen<D> eigen = eigen_of(inverse);
-    const double largest = *std::max_element(eigen.value, eigen.value + D), sum = trace(inverse);
+    const double sum = trace(inverse);
     if (!(sum > 0)) return 0;
-    return std::max(std::max(elastic_.lame_modulus(), 0.0) * sum + 2 * elastic_.shear_modulus() * largest, stabilisation(sum));
+    double largest = eigen.value[0];
+    for (std::size_t k = 1; k < D; ++k) largest = fccda::larger(largest, eigen.value[k]);
+    return fccda::larger(fccda::larger(elastic_.lame_modulus(), 0.0) * sum + 2 * elastic_.shear_modulus() * largest, stabilisation(sum));
   }
 
   /// Growth of k by damage above which the stress fades: a crack through a complete family removes half of it and doubles k, and its faces keep
@@ -157,7 +158,11 @@ class Correspondence {
 
   /// Remaining fraction of stress χ, from the initial and current spring bounds. Since k χ is at most twice its initial value, an initially stable time
   /// step stays stable (docs/theory/correspondence.md).
-  static double remaining(double bound_at_first, double bound_now) { return bound_now > 0 ? std::min(1.0, max_growth * bound_at_first / bound_now) : 0; }
+  FCCDA_HD static double remaining(double bound_at_first, double bound_now) {
+    if (!(bound_now > 0)) return 0;
+    const double share = max_growth * bound_at_first / bound_now;
+    return share < 1 ? share : 1;
+  }
 
  private:
   IsotropicElastic elastic_;

@@ -14,19 +14,12 @@ using namespace correspondence;
 
 template <std::size_t D>
 template <class Visit>
-void CorrespondenceForce<D>::with_bonds(const Particles& particles, Family& family, const Visit& visit) {
-  const auto view = [&]<class Bonds, class Shapes>(const Bonds& bonds, const Shapes& shapes) {
-    BodyView<D, Bonds, Shapes> body{particles, particles.position.pointers(), bonds, shapes, law_, {}, bound_at_first_.data(), {}, {}, {}, {}, &family};
-    for (std::size_t n = 0; n < symmetric + 2; ++n) body.shape[n] = shape_.component(n);
-    for (std::size_t n = 0; n < loads; ++n) body.response[n] = response_.component(n);
-    for (std::size_t n = 0; n < D * D && gradient_.slots() != 0; ++n) body.gradient[n] = gradient_.component(n), body.carried[n] = carried_.component(n);
-    for (std::size_t n = 0; n < D * D && rate_.slots() != 0; ++n) body.rate[n] = rate_.component(n);
-    visit(body);
-  };
+void CorrespondenceForce<D>::with_view(const ParticlesView& particles, const Vectors& force, Family& family, double dt, const Visit& visit) {
+  const auto visit_with = [&](const auto& bonds, const auto& shapes) { visit(view(particles, force, bonds, bonds.with(known_.data()), shapes, dt)); };
   if (family.list())
-    view(ListedBonds(family), ListShapes{reference_.pointers(), listed_weighted_volume_.data()});
+    visit_with(ListedBonds(family), ListShapes{reference_.pointers(), listed_weighted_volume_.data()});
   else
-    view(StencilBonds(family), StencilShapes{bonds_, weighted_volume_});
+    visit_with(StencilBonds(family), stencil_shapes());
 }
 
 template <std::size_t D>
@@ -60,12 +53,11 @@ CorrespondenceForce<D>::CorrespondenceForce(const Correspondence& law, Breaking 
       listed_weighted_volume_[entry] = law_.weight(list.length[entry]) * list.volume[entry];
     });
   }
-  with_bonds(particles, family, [&](const auto& body) {
+  with_view(particles.view(), {}, family, 0, [&](const auto& body) {
     // packs of fewer lanes than a byte share bytes of known_: one thread takes all packs of a byte
     parallel_for(static_cast<std::ptrdiff_t>(particles.slots() / byte_lanes), [&](std::ptrdiff_t eight) {
       const std::size_t begin = static_cast<std::size_t>(eight) * byte_lanes;
-      for (std::size_t slot = begin; slot < begin + byte_lanes; slot += lanes<NativePack>)
-        follow_bonds<D, NativePack>(body, slot, known_.data() + family.begin(begin / byte_lanes));
+      for (std::size_t slot = begin; slot < begin + byte_lanes; slot += lanes<NativePack>) follow_bonds<D, NativePack>(body, slot);
     });
   });
   particles.share().refresh({shape_.component(symmetric), shape_.component(symmetric + 1)});
@@ -74,14 +66,9 @@ CorrespondenceForce<D>::CorrespondenceForce(const Correspondence& law, Breaking 
 
 template <std::size_t D>
 template <class Pack, class View>
-[[gnu::noinline, gnu::cold]] void CorrespondenceForce<D>::account_for_broken(const View& body, const Particles& particles, double dt, SumsOfEights& sums) {
-  using Bonds = std::decay_t<decltype(body.bonds)>;
-  const Family& family = *body.family;
-  const BodyView<D, KnownBonds<Bonds>, std::decay_t<decltype(body.shapes)>> before{
-      body.particles,      body.x,        KnownBonds<Bonds>{body.bonds, known_.data(), &family},
-      body.shapes,         body.law,      body.shape,
-      body.bound_at_first, body.response, body.gradient,
-      body.carried,        body.rate,     body.family};
+[[gnu::noinline, gnu::cold]] void CorrespondenceForce<D>::account_for_broken(const View& body, const Particles& particles, const Family& family,
+                                                                             SumsOfEights& sums) {
+  const View before = body.before();
   // a broken bond changes F at its ends, and thus the energy of their families, which needs dF/dt of the families of these
   for (const std::uint8_t from : {broke_here, changed}) {
     const std::vector<std::uint8_t> of_ghosts = particles.share().refreshed_flags(broken_);
@@ -98,7 +85,7 @@ template <class Pack, class View>
     for (std::size_t eight = 0; eight < broken_.size(); ++eight) {
       if (broken_[eight] < from) continue;
       for (std::size_t slot = eight * byte_lanes; slot < (eight + 1) * byte_lanes; slot += lanes<Pack>)
-        for_each_bond<Pack>(before.bonds, body.x, slot, Unbreakable{}, [&](const auto& bond) {
+        for_each_bond<Pack>(before.bonds, body.particles.position, slot, Unbreakable{}, [&](const auto& bond) {
           for_each_bit(bond.intact, [&](std::size_t lane) {
             if (const std::size_t j = bond.neighbour.slot_of(lane); particles.owns(j)) raise(j);
           });
@@ -110,25 +97,21 @@ template <class Pack, class View>
       if (broken_[slot / byte_lanes] >= least) f(eight, slot);
     });
   };
-  const auto make_gradient = [](const auto& view, std::size_t slot) { store_gradient<D, Pack>(view, slot, moment_of_pack<D, Pack>(view, slot, view.x)); };
-  const auto make_rate = [](const auto& view, std::size_t slot) {
-    store_matrix<D>(view.rate, slot, moment_of_pack<D, Pack>(view, slot, view.particles.velocity.pointers()) * inverse_shape_of<D, Pack>(view, slot));
-  };
   const auto add_energy = [&](const auto& view, double sign) {
     for_each(changed, [&](std::size_t eight, std::size_t slot) {
-      sums.fracture_energy[eight] += sign * energy_of_pack(bond_level_energy<D, Pack, true>(view, slot, dt), particles, slot);
+      sums.fracture_energy[eight] += sign * energy_of_pack(bond_level_energy<D, Pack, true>(view, slot), particles, slot);
     });
   };
   const auto refresh = [&](const auto& matrices) { particles.share().refresh(std::span<double* const>(matrices)); };
-  for_each(broke_here, [&](std::size_t, std::size_t slot) { make_gradient(before, slot); });
+  for_each(broke_here, [&](std::size_t, std::size_t slot) { renew_gradient<D, Pack>(before, slot); });
   refresh(body.gradient);
-  for_each(beside_changed, [&](std::size_t, std::size_t slot) { make_rate(before, slot); });
+  for_each(beside_changed, [&](std::size_t, std::size_t slot) { renew_rate<D, Pack>(before, slot); });
   refresh(body.rate);
   add_energy(before, 1);
   for_each(broke_here, [&](std::size_t, std::size_t slot) {
-    follow_bonds<D, Pack>(body, slot, known_.data() + family.begin(slot / byte_lanes));
-    make_gradient(body, slot);
-    make_rate(body, slot);
+    follow_bonds<D, Pack>(body, slot);
+    renew_gradient<D, Pack>(body, slot);
+    renew_rate<D, Pack>(body, slot);
   });
   refresh(body.gradient);
   refresh(body.rate);
@@ -141,35 +124,34 @@ template <std::size_t D>
 template <class Pack, class View>
 void CorrespondenceForce<D>::bond_level_pass(const View& body, Particles& particles, Family& family, const PassOptions& options, SumsOfEights& sums) {
   breaking_.template for_each_pack<Pack>(body.bonds, particles, family, options, sums, [&](std::size_t, std::size_t slot, const auto& breaker) {
-    gradient_of_pack<D, Pack>(body, slot, breaker, known_.data() + family.begin(slot / byte_lanes), broken_.data());
+    gradient_of_pack<D, Pack>(body, slot, breaker);
     return 0.0;
   });
   const Share& share = particles.share();
   share.refresh(std::span<double* const>(body.gradient));
   if (breaking_.is_armed()) share.refresh({shape_.component(symmetric)});
-  if (share.ranks().any(std::find(broken_.begin(), broken_.end(), broke_here) != broken_.end())) account_for_broken<Pack>(body, particles, options.dt, sums);
+  if (share.ranks().any(std::find(broken_.begin(), broken_.end(), broke_here) != broken_.end())) account_for_broken<Pack>(body, particles, family, sums);
   for_each_pack<Pack>(particles, [&](std::size_t eight, std::size_t slot) {
     bond_level_stress<D, Pack>(body, slot);
-    if (options.with_energy) sums.energy[eight] += energy_of_pack(bond_level_energy<D, Pack, false>(body, slot, 0), particles, slot);
+    if (options.with_energy) sums.energy[eight] += energy_of_pack(bond_level_energy<D, Pack, false>(body, slot), particles, slot);
   });
   share.begin_refresh(std::span<double* const>(body.carried));
   for_each_pack<Pack>(particles, [&](std::size_t, std::size_t slot) { bond_level_return<D, Pack>(body, slot); });
   share.begin_refresh(std::span<double* const>(body.response));
-  for_each_pack<Pack>(particles, [&](std::size_t, std::size_t slot) { force_of_pack<D, Pack>(body, slot, particles.force_density); });
+  for_each_pack<Pack>(particles, [&](std::size_t, std::size_t slot) { force_of_pack<D, Pack>(body, slot); });
 }
 
 template <std::size_t D>
 template <class Pack>
 void CorrespondenceForce<D>::pass(Particles& particles, Family& family, const PassOptions& options, SumsOfEights& sums) {
-  with_bonds(particles, family, [&](const auto& body) {
+  with_view(particles.view(), particles.force_density.writable_pointers(), family, options.dt, [&](const auto& body) {
     if (law_.is_bond_level()) return bond_level_pass<Pack>(body, particles, family, options, sums);
     breaking_.template for_each_pack<Pack>(body.bonds, particles, family, options, sums, [&](std::size_t eight, std::size_t slot, const auto& breaker) {
-      const Pack density =
-          response_of_pack<D, Pack>(body, slot, breaker, known_.data() + family.begin(slot / byte_lanes), options, sums.fracture_energy[eight]);
+      const Pack density = response_of_pack<D, Pack>(body, slot, breaker, options.with_energy, sums.fracture_energy[eight]);
       return options.with_energy ? energy_of_pack(density, particles, slot) : 0.0;
     });
     particles.share().begin_refresh(std::span<double* const>(body.response));
-    for_each_pack<Pack>(particles, [&](std::size_t, std::size_t slot) { force_of_pack<D, Pack>(body, slot, particles.force_density); });
+    for_each_pack<Pack>(particles, [&](std::size_t, std::size_t slot) { force_of_pack<D, Pack>(body, slot); });
   });
 }
 

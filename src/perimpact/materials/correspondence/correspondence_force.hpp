@@ -6,12 +6,16 @@
 /// them, whatever the cause: this pass, a crack, or a checkpoint. They are therefore no part of the state.
 #pragma once
 
+#include <array>
+#include <cstddef>
 #include <cstdint>
+#include <span>
 #include <vector>
 
 #include "perimpact/damage/breaking.hpp"
 #include "perimpact/family/family.hpp"
 #include "perimpact/force/pass.hpp"
+#include "perimpact/materials/correspondence/body_view.hpp"
 #include "perimpact/materials/correspondence/correspondence.hpp"
 
 namespace perimpact {
@@ -28,6 +32,20 @@ class CorrespondenceForce {
   template <class Pack>
   void pass(Particles& particles, Family& family, const PassOptions& options, SumsOfEights& sums);
 
+  /// The view of a lattice with these bonds, and with copies of those for which K⁻¹ was computed: for a device.
+  template <class Bonds>
+  correspondence::BodyView<D, Bonds, correspondence::StencilShapes> view_of_lattice(Particles& particles, const Bonds& bonds, const Bonds& known, double dt) {
+    return view(particles.view(), particles.force_density.writable_pointers(), bonds, known, stencil_shapes(), dt);
+  }
+  /// Calls visit(span) for each array of this object that the view of a lattice refers to, but for bonds and `broken`.
+  template <class Visit>
+  void visit_arrays(const Visit& visit) const {
+    visit(shape_.with_slack()), visit(std::span(bound_at_first_)), visit(response_.with_slack());
+    visit(gradient_.with_slack()), visit(carried_.with_slack()), visit(rate_.with_slack());
+    visit(std::span(bonds_)), visit(std::span(weighted_volume_));
+    breaking_.visit_arrays(visit);
+  }
+
   const Breaking& breaking() const { return breaking_; }
   const Correspondence& law() const { return law_; }
   /// Inverse shape tensor K⁻¹ [1/m⁵] as of construction or the last pass; 0 if the family has no gradient.
@@ -43,13 +61,19 @@ class CorrespondenceForce {
   StepMessages messages() const;  ///< of a pass in which no bond breaks
 
  private:
+  using Vectors = std::array<double*, 3>;
+  template <class Bonds, class Shapes>
+  correspondence::BodyView<D, Bonds, Shapes> view(const ParticlesView& particles, const Vectors& force, const Bonds& bonds, const Bonds& known,
+                                                  const Shapes& shapes, double dt);
+  correspondence::StencilShapes stencil_shapes() const { return {bonds_.data(), weighted_volume_.data()}; }
+  /// Calls visit(view) with that of a lattice, or of a list.
+  template <class Visit>
+  void with_view(const ParticlesView& particles, const Vectors& force, Family& family, double dt, const Visit& visit);
   template <class Pack, class View>
   void bond_level_pass(const View& body, Particles& particles, Family& family, const PassOptions& options, SumsOfEights& sums);
   /// Adds the elastic energy released by bond failure in this pass, and recomputes K⁻¹, χ and F of the particles affected.
   template <class Pack, class View>
-  void account_for_broken(const View& body, const Particles& particles, double dt, SumsOfEights& sums);
-  template <class Visit>
-  void with_bonds(const Particles& particles, Family& family, const Visit& visit);
+  void account_for_broken(const View& body, const Particles& particles, const Family& family, SumsOfEights& sums);
 
   Correspondence law_;
   Breaking breaking_;
@@ -72,5 +96,17 @@ class CorrespondenceForce {
   VectorArray reference_;                                      // [m] X
   fccda::UninitialisedVector<double> listed_weighted_volume_;  // [m³] ω v V of each entry
 };
+
+template <std::size_t D>
+template <class Bonds, class Shapes>
+correspondence::BodyView<D, Bonds, Shapes> CorrespondenceForce<D>::view(const ParticlesView& particles, const Vectors& force, const Bonds& bonds,
+                                                                        const Bonds& known, const Shapes& shapes, double dt) {
+  correspondence::BodyView<D, Bonds, Shapes> body{
+      particles, bonds, known,          shapes, law_, shape_.writable_pointers(), bound_at_first_.data(), response_.writable_pointers(), {},
+      {},        {},    broken_.data(), force,  dt};
+  if (gradient_.slots() != 0) body.gradient = gradient_.writable_pointers(), body.carried = carried_.writable_pointers();
+  if (rate_.slots() != 0) body.rate = rate_.writable_pointers();
+  return body;
+}
 
 }  // namespace perimpact

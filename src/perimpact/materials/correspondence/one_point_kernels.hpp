@@ -11,10 +11,10 @@ using namespace fccda;
 
 /// Residual of the bonds of a pack: Σ ω |z|² v V [m⁵].
 template <std::size_t D, class Pack, class View>
-Pack remainder_of_pack(const View& body, std::size_t slot, const SmallMatrix<Pack, D>& gradient) {
+FCCDA_HD Pack remainder_of_pack(const View& body, std::size_t slot, const SmallMatrix<Pack, D>& gradient) {
   const auto of_i = body.shapes.template of_particle<Pack>(slot);
   Pack sum(0.0);
-  for_each_bond<Pack>(body.bonds, body.x, slot, Unbreakable{}, [&](const auto& bond) {
+  for_each_bond<Pack>(body.bonds, body.particles.position, slot, Unbreakable{}, [&](const auto& bond) {
     const Vec3<Pack> xi = body.shapes.template reference<Pack>(bond, of_i);
     Pack squares(0.0);
     for (std::size_t r = 0; r < D; ++r) {
@@ -29,13 +29,13 @@ Pack remainder_of_pack(const View& body, std::size_t slot, const SmallMatrix<Pac
 
 /// Energy W - dt W'/2 [J] of the particles of a pack in the middle of the last step, from these bonds and the cached K⁻¹ and χ.
 template <std::size_t D, class Pack, class View>
-[[gnu::noinline, gnu::cold]] double energy_amid_step(const View& body, std::size_t slot, double dt) {
+FCCDA_COLD FCCDA_HD double energy_amid_step(const View& body, std::size_t slot) {
   const auto of_i = body.shapes.template of_particle<Pack>(slot);
-  const SmallMatrix<Pack, D> moment = moment_of_pack<D, Pack>(body, slot, body.x);
-  const auto response = body.law.respond(moment, inverse_shape_of<D, Pack>(body, slot), load<Pack>(body.shape[D * (D + 1) / 2] + slot));
-  const std::array<const double*, 3> v = body.particles.velocity.pointers();
+  const SmallMatrix<Pack, D> moment = moment_of_pack<D, Pack>(body, slot, body.particles.position);
+  const auto response = body.law.respond(moment, inverse_shape_of<D, Pack>(body, slot), remaining_of<Pack>(body.shape, slot));
+  const std::array<const double*, 3> v = body.particles.velocity;
   Pack power(0.0);  // Σ t·(v_j - v_i) [W/m³]
-  for_each_bond<Pack>(body.bonds, body.x, slot, Unbreakable{}, [&](const auto& bond) {
+  for_each_bond<Pack>(body.bonds, body.particles.position, slot, Unbreakable{}, [&](const auto& bond) {
     const Vec3<Pack> xi = body.shapes.template reference<Pack>(bond, of_i);
     Pack sum(0.0);
     for (std::size_t r = 0; r < 3; ++r) {
@@ -47,40 +47,36 @@ template <std::size_t D, class Pack, class View>
     power = fused_multiply_add(bond.where_intact(body.shapes.template weight<Pack>(bond.index)), sum, power);
   });
   const Pack energy = fused_multiply_add(Pack(0.5) * response.along, remainder_of_pack<D, Pack>(body, slot, response.gradient), response.energy);
-  return energy_of_pack(fused_multiply_add(Pack(-0.5 * dt), power, energy), body.particles, slot);
+  return energy_of_pack(fused_multiply_add(Pack(-0.5 * body.dt), power, energy), body.particles, slot);
 }
 
 /// Computes B and c of the particles of one pack; returns their energy density [J/m³] if with_energy. Adds the released energy to `fracture` [J].
 template <std::size_t D, class Pack, class View, class Breaking>
-Pack response_of_pack(const View& body, std::size_t slot, const Breaking& breaking, std::uint8_t* known, const PassOptions& options, double& fracture) {
-  if constexpr (Breaking::is_armed) follow_bonds<D, Pack>(body, slot, known);  // as after a restart: failure in this pass is counted from the current bonds
+FCCDA_HD Pack response_of_pack(const View& body, std::size_t slot, const Breaking& breaking, bool with_energy, double& fracture) {
+  if constexpr (Breaking::is_armed) follow_bonds<D, Pack>(body, slot);  // as after a restart: failure in this pass is counted from the current bonds
   [[maybe_unused]] bool broke = false;
-  const SmallMatrix<Pack, D> moment = moment_of_pack<D, Pack>(body, slot, body.x, breaking, broke);
-  if (broke) [[unlikely]] {
-    using Bonds = std::decay_t<decltype(body.bonds)>;
-    BodyView<D, KnownBonds<Bonds>, std::decay_t<decltype(body.shapes)>> before{
-        body.particles, body.x, KnownBonds<Bonds>{body.bonds, known}, body.shapes, body.law, body.shape, body.bound_at_first, body.response, {}, {}, {},
-        body.family};
-    fracture += energy_amid_step<D, Pack>(before, slot, options.dt);
-  }
-  follow_bonds<D, Pack>(body, slot, known);
+  const SmallMatrix<Pack, D> moment = moment_of_pack<D, Pack>(body, slot, body.particles.position, breaking, broke);
+  [[maybe_unused]] double released = 0;
   if (broke) [[unlikely]]
-    fracture -= energy_amid_step<D, Pack>(body, slot, options.dt);
-  const auto response = body.law.respond(moment, inverse_shape_of<D, Pack>(body, slot), load<Pack>(body.shape[D * (D + 1) / 2] + slot));
+    released = energy_amid_step<D, Pack>(body.before(), slot);
+  follow_bonds<D, Pack>(body, slot);
+  if (broke) [[unlikely]]
+    fracture += released - energy_amid_step<D, Pack>(body, slot);
+  const auto response = body.law.respond(moment, inverse_shape_of<D, Pack>(body, slot), remaining_of<Pack>(body.shape, slot));
   for (std::size_t r = 0; r < D; ++r)
     for (std::size_t s = 0; s < D; ++s) store(body.response[r * D + s] + slot, response.through.m[r][s]);
   store(body.response[D * D] + slot, response.along);
-  if (!options.with_energy) return Pack(0.0);
+  if (!with_energy) return Pack(0.0);
   return fused_multiply_add(Pack(0.5) * response.along, remainder_of_pack<D, Pack>(body, slot, response.gradient), response.energy);
 }
 
 /// Force density of the particles of one pack.
 template <std::size_t D, class Pack, class View>
-void force_of_pack(const View& body, std::size_t slot, VectorArray& force_density) {
+FCCDA_HD void force_of_pack(const View& body, std::size_t slot) {
   const auto of_i = body.shapes.template of_particle<Pack>(slot);
   Pack own[D * D + 1], force[3]{};
   for (std::size_t n = 0; n <= D * D; ++n) own[n] = load<Pack>(body.response[n] + slot);
-  for_each_bond<Pack>(body.bonds, body.x, slot, Unbreakable{}, [&](const auto& bond) {
+  for_each_bond<Pack>(body.bonds, body.particles.position, slot, Unbreakable{}, [&](const auto& bond) {
     const Vec3<Pack> xi = body.shapes.template reference<Pack>(bond, of_i);
     const Pack weight = bond.where_intact(body.shapes.template weight<Pack>(bond.index));
     const Pack along = own[D * D] + bond.neighbour.of(body.response[D * D]);
@@ -90,7 +86,7 @@ void force_of_pack(const View& body, std::size_t slot, VectorArray& force_densit
       force[r] = fused_multiply_add(weight, pull, force[r]);
     }
   });
-  for (std::size_t c = 0; c < 3; ++c) store(force_density.component(c) + slot, force[c]);
+  for (std::size_t c = 0; c < 3; ++c) store(body.force[c] + slot, force[c]);
 }
 
 }  // namespace perimpact::correspondence

@@ -6,6 +6,7 @@
 #include <cstddef>
 #include <utility>
 
+#include "base/host_device.hpp"
 #include "base/pack.hpp"
 
 namespace perimpact {
@@ -14,7 +15,7 @@ template <class T, std::size_t D>
 struct SmallMatrix {
   T m[D][D]{};
 
-  static SmallMatrix identity() {
+  FCCDA_HD static SmallMatrix identity() {
     SmallMatrix one;
     for (std::size_t r = 0; r < D; ++r) one.m[r][r] = T(1.0);
     return one;
@@ -22,14 +23,14 @@ struct SmallMatrix {
 };
 
 template <class T, std::size_t D>
-T trace(const SmallMatrix<T, D>& a) {
+FCCDA_HD T trace(const SmallMatrix<T, D>& a) {
   T sum = a.m[0][0];
   for (std::size_t r = 1; r < D; ++r) sum = sum + a.m[r][r];
   return sum;
 }
 
 template <class T, std::size_t D>
-SmallMatrix<T, D> transpose(const SmallMatrix<T, D>& a) {
+FCCDA_HD SmallMatrix<T, D> transpose(const SmallMatrix<T, D>& a) {
   SmallMatrix<T, D> t;
   for (std::size_t r = 0; r < D; ++r)
     for (std::size_t s = 0; s < D; ++s) t.m[r][s] = a.m[s][r];
@@ -37,7 +38,7 @@ SmallMatrix<T, D> transpose(const SmallMatrix<T, D>& a) {
 }
 
 template <class T, std::size_t D>
-SmallMatrix<T, D> operator*(const SmallMatrix<T, D>& a, const SmallMatrix<T, D>& b) {
+FCCDA_HD SmallMatrix<T, D> operator*(const SmallMatrix<T, D>& a, const SmallMatrix<T, D>& b) {
   SmallMatrix<T, D> product;
   for (std::size_t r = 0; r < D; ++r)
     for (std::size_t s = 0; s < D; ++s) {
@@ -50,7 +51,7 @@ SmallMatrix<T, D> operator*(const SmallMatrix<T, D>& a, const SmallMatrix<T, D>&
 
 /// f a + b
 template <class T, std::size_t D>
-SmallMatrix<T, D> scaled_sum(T f, const SmallMatrix<T, D>& a, const SmallMatrix<T, D>& b) {
+FCCDA_HD SmallMatrix<T, D> scaled_sum(T f, const SmallMatrix<T, D>& a, const SmallMatrix<T, D>& b) {
   SmallMatrix<T, D> sum;
   for (std::size_t r = 0; r < D; ++r)
     for (std::size_t s = 0; s < D; ++s) sum.m[r][s] = fccda::fused_multiply_add(f, a.m[r][s], b.m[r][s]);
@@ -59,7 +60,7 @@ SmallMatrix<T, D> scaled_sum(T f, const SmallMatrix<T, D>& a, const SmallMatrix<
 
 /// f a + g 1
 template <class T, std::size_t D>
-SmallMatrix<T, D> scaled_plus(T f, const SmallMatrix<T, D>& a, T g) {
+FCCDA_HD SmallMatrix<T, D> scaled_plus(T f, const SmallMatrix<T, D>& a, T g) {
   SmallMatrix<T, D> sum;
   for (std::size_t r = 0; r < D; ++r)
     for (std::size_t s = 0; s < D; ++s) sum.m[r][s] = r == s ? fccda::fused_multiply_add(f, a.m[r][s], g) : f * a.m[r][s];
@@ -68,7 +69,7 @@ SmallMatrix<T, D> scaled_plus(T f, const SmallMatrix<T, D>& a, T g) {
 
 /// Double contraction a : b = tr(a bᵀ).
 template <class T, std::size_t D>
-T contraction(const SmallMatrix<T, D>& a, const SmallMatrix<T, D>& b) {
+FCCDA_HD T contraction(const SmallMatrix<T, D>& a, const SmallMatrix<T, D>& b) {
   T sum = a.m[0][0] * b.m[0][0];
   for (std::size_t r = 0; r < D; ++r)
     for (std::size_t s = 0; s < D; ++s)
@@ -78,7 +79,7 @@ T contraction(const SmallMatrix<T, D>& a, const SmallMatrix<T, D>& b) {
 
 /// Adjugate a⁻¹ det a of a symmetric matrix; exists also for singular ones.
 template <class T, std::size_t D>
-SmallMatrix<T, D> adjugate(const SmallMatrix<T, D>& a) {
+FCCDA_HD SmallMatrix<T, D> adjugate(const SmallMatrix<T, D>& a) {
   SmallMatrix<T, D> adj;
   if constexpr (D == 2) {
     adj.m[0][0] = a.m[1][1], adj.m[1][1] = a.m[0][0];
@@ -96,7 +97,7 @@ SmallMatrix<T, D> adjugate(const SmallMatrix<T, D>& a) {
 
 /// Determinant of a symmetric matrix, given its adjugate.
 template <class T, std::size_t D>
-T determinant(const SmallMatrix<T, D>& a, const SmallMatrix<T, D>& adj) {
+FCCDA_HD T determinant(const SmallMatrix<T, D>& a, const SmallMatrix<T, D>& adj) {
   T sum = a.m[0][0] * adj.m[0][0];
   for (std::size_t k = 1; k < D; ++k) sum = fccda::fused_multiply_add(a.m[0][k], adj.m[0][k], sum);
   return sum;
@@ -111,7 +112,7 @@ struct Eigen {
 /// Eigenvalues and eigenvectors of a symmetric matrix, by Jacobi rotations (Golub and Van Loan, Matrix Computations, 8.5); each value
 /// accurate to rounding of the largest.
 template <std::size_t D>
-Eigen<D> eigen_of(SmallMatrix<double, D> a) {
+FCCDA_HD Eigen<D> eigen_of(SmallMatrix<double, D> a) {
   SmallMatrix<double, D> q = SmallMatrix<double, D>::identity();
   constexpr int most_sweeps = 20;  // convergence is quadratic: five suffice
   for (int sweep = 0; sweep < most_sweeps; ++sweep) {

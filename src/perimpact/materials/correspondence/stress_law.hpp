@@ -16,6 +16,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "base/logarithm.hpp"
 #include "perimpact/materials/correspondence/small_matrix.hpp"
 
 namespace perimpact {
@@ -29,13 +30,13 @@ struct Stress {
 
 /// Isotropic elasticity in any strain measure: λ tr(E) 1 + 2µ E, and its energy.
 template <class T, std::size_t D>
-Stress<T, D> linear_stress(const SmallMatrix<T, D>& strain, double lambda, double mu) {
+FCCDA_HD Stress<T, D> linear_stress(const SmallMatrix<T, D>& strain, double lambda, double mu) {
   const T volume = trace(strain);
   return {scaled_plus(T(2 * mu), strain, T(lambda) * volume), fccda::fused_multiply_add(T(0.5 * lambda) * volume, volume, T(mu) * contraction(strain, strain))};
 }
 
 template <class T, std::size_t D>
-Stress<T, D> st_venant_kirchhoff(const SmallMatrix<T, D>& x, double lambda, double mu) {
+FCCDA_HD Stress<T, D> st_venant_kirchhoff(const SmallMatrix<T, D>& x, double lambda, double mu) {
   SmallMatrix<T, D> strain;
   for (std::size_t r = 0; r < D; ++r)
     for (std::size_t s = 0; s < D; ++s) strain.m[r][s] = T(0.5) * x.m[r][s];
@@ -50,7 +51,7 @@ inline constexpr double largest_square = 0.01;
 
 /// Hencky law by the series.
 template <class T, std::size_t D>
-Stress<T, D> by_series(const SmallMatrix<T, D>& x, double lambda, double mu) {
+FCCDA_HD Stress<T, D> by_series(const SmallMatrix<T, D>& x, double lambda, double mu) {
   using Matrix = SmallMatrix<T, D>;
   const auto inverse = [](const Matrix& a) {
     Matrix adj = adjugate(a);
@@ -69,15 +70,15 @@ Stress<T, D> by_series(const SmallMatrix<T, D>& x, double lambda, double mu) {
 
 /// Hencky law by eigenvalues, one particle at a time.
 template <std::size_t D>
-Stress<double, D> by_eigenvalues(const SmallMatrix<double, D>& x, double lambda, double mu) {
-  constexpr double least = 0.01;  // of C: a stretch of one tenth
+FCCDA_HD Stress<double, D> by_eigenvalues(const SmallMatrix<double, D>& x, double lambda, double mu) {
+  constexpr double least = 0.01, log_of_least = -4.605170185988091;  // of C: a stretch of one tenth
   const Eigen<D> eigen = eigen_of(x);
   double strain[D], slope[D];  // h = ln(c)/2 and 2 dh/dc
   double volume = 0, squares = 0;
   for (std::size_t k = 0; k < D; ++k) {
     const double c = 1 + eigen.value[k];
-    strain[k] = 0.5 * (c > least ? std::log1p(eigen.value[k]) : std::log(least) + (c - least) / least);
-    slope[k] = 1 / std::fmax(c, least);
+    strain[k] = 0.5 * (c > least ? fccda::log_of_one_plus(eigen.value[k]) : log_of_least + (c - least) / least);
+    slope[k] = 1 / fccda::larger(c, least);
     volume += strain[k];
     squares += strain[k] * strain[k];
   }
@@ -92,30 +93,34 @@ Stress<double, D> by_eigenvalues(const SmallMatrix<double, D>& x, double lambda,
 }  // namespace hencky
 
 template <class T, std::size_t D>
-Stress<T, D> hencky_stress(const SmallMatrix<T, D>& x, double lambda, double mu) {
+FCCDA_HD Stress<T, D> hencky_stress(const SmallMatrix<T, D>& x, double lambda, double mu) {
   constexpr std::size_t width = fccda::lanes<T>;
   Stress<T, D> stress = hencky::by_series(x, lambda, mu);
   const unsigned large = fccda::bits_where_greater(contraction(x, x), T(hencky::largest_square));
   if (large == 0) return stress;
-  const auto spread = [](const T& pack, double(&out)[width]) { fccda::store(out, pack); };
-  double values[width], energies[width], in[D][D][width], second[D][D][width];
-  spread(stress.energy, energies);
-  for (std::size_t r = 0; r < D; ++r)
-    for (std::size_t s = 0; s < D; ++s) spread(x.m[r][s], values), std::copy(values, values + width, in[r][s]), spread(stress.second.m[r][s], second[r][s]);
-  for (std::size_t lane = 0; lane < width; ++lane) {
-    if (!((large >> lane) & 1u)) continue;
-    SmallMatrix<double, D> one;
+  if constexpr (width == 1) {
+    return hencky::by_eigenvalues(x, lambda, mu);
+  } else {
+    const auto spread = [](const T& pack, double(&out)[width]) { fccda::store(out, pack); };
+    double values[width], energies[width], in[D][D][width], second[D][D][width];
+    spread(stress.energy, energies);
     for (std::size_t r = 0; r < D; ++r)
-      for (std::size_t s = 0; s < D; ++s) one.m[r][s] = in[r][s][lane];
-    const Stress<double, D> exact = hencky::by_eigenvalues(one, lambda, mu);
-    energies[lane] = exact.energy;
+      for (std::size_t s = 0; s < D; ++s) spread(x.m[r][s], values), std::copy(values, values + width, in[r][s]), spread(stress.second.m[r][s], second[r][s]);
+    for (std::size_t lane = 0; lane < width; ++lane) {
+      if (!((large >> lane) & 1u)) continue;
+      SmallMatrix<double, D> one;
+      for (std::size_t r = 0; r < D; ++r)
+        for (std::size_t s = 0; s < D; ++s) one.m[r][s] = in[r][s][lane];
+      const Stress<double, D> exact = hencky::by_eigenvalues(one, lambda, mu);
+      energies[lane] = exact.energy;
+      for (std::size_t r = 0; r < D; ++r)
+        for (std::size_t s = 0; s < D; ++s) second[r][s][lane] = exact.second.m[r][s];
+    }
+    stress.energy = fccda::load<T>(energies);
     for (std::size_t r = 0; r < D; ++r)
-      for (std::size_t s = 0; s < D; ++s) second[r][s][lane] = exact.second.m[r][s];
+      for (std::size_t s = 0; s < D; ++s) stress.second.m[r][s] = fccda::load<T>(second[r][s]);
+    return stress;
   }
-  stress.energy = fccda::load<T>(energies);
-  for (std::size_t r = 0; r < D; ++r)
-    for (std::size_t s = 0; s < D; ++s) stress.second.m[r][s] = fccda::load<T>(second[r][s]);
-  return stress;
 }
 
 }  // namespace perimpact

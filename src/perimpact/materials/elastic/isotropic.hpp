@@ -20,11 +20,11 @@ struct IsotropicElastic {
     return {youngs_modulus / (1 - poissons_ratio * poissons_ratio), poissons_ratio / (1 - poissons_ratio), 2};
   }
 
-  double shear_modulus() const { return youngs_modulus / (2 * (1 + poissons_ratio)); }  ///< [Pa] µ
+  constexpr double shear_modulus() const { return youngs_modulus / (2 * (1 + poissons_ratio)); }  ///< [Pa] µ
   /// [Pa] κ: E/(3 (1 - 2ν)) in 3-D, E/(2 (1 - ν)) in 2-D.
-  double bulk_modulus() const { return youngs_modulus / (dimension * (1 - (dimension - 1) * poissons_ratio)); }
-  double lame_modulus() const { return bulk_modulus() - 2.0 / dimension * shear_modulus(); }  ///< [Pa] λ
-  double p_wave_modulus() const { return lame_modulus() + 2 * shear_modulus(); }              ///< [Pa] λ + 2µ
+  constexpr double bulk_modulus() const { return youngs_modulus / (dimension * (1 - (dimension - 1) * poissons_ratio)); }
+  constexpr double lame_modulus() const { return bulk_modulus() - 2.0 / dimension * shear_modulus(); }  ///< [Pa] λ
+  constexpr double p_wave_modulus() const { return lame_modulus() + 2 * shear_modulus(); }              ///< [Pa] λ + 2µ
 };
 
 }  // namespace perimpact
