@@ -178,7 +178,7 @@ views of the simulation's memory and show every later step. The other arrays are
       .def_property_readonly(
           "spacing", [](const BodyOfRun& body) { return particles_of(body).spacing(); }, "Lattice spacing [m]; for a point cloud, the mean particle size.")
       .def_property_readonly(
-          "momentum", [](const BodyOfRun& body) { return body.get().momentum(); }, "(3,) total linear momentum [kg m/s].")
+          "momentum", [](const BodyOfRun& body) { return body.get().motion().momentum; }, "(3,) total linear momentum [kg m/s].")
       .def_property_readonly(
           "broken_bonds", [](const BodyOfRun& body) { return body.get().internal.broken_bonds(); }, "Number of bonds broken so far.");
 }

@@ -37,6 +37,14 @@ def _(t):
     expect_same(t, t.deck(*SHORT, ("poissons_ratio: 0.25", "poissons_ratio: 0.33")))
 
 
+@claim("device: a plate of a correspondence material, and a body whose window moves, have bitwise the files of the scalar kernel")
+def _(t):
+    report = expect_same(t, t.deck(*SHORT, ("model: ordinary-state", "model: correspondence")))
+    expect_broken(t, report["bodies"]["plate"])
+    expect_same(t, t.deck(*MOVES))
+    t.assertNotEqual(t.history("emulated")["plate.window_travel [m]"][-1], 0)
+
+
 FEW = ("--set", "output.frames=2")
 
 
@@ -87,8 +95,6 @@ def _(t):
 @claim("device: what a deck needs and devices do not support is refused with its place")
 def _(t):
     refused = {
-        "the model correspondence is not supported on a device": (("model: ordinary-state", "model: correspondence"),),
-        "moving windows are not supported on a device": MOVES,
         "quasi-static increments are not supported on a device": (("time: {end: 20 us}", "time: {end: 20 us, relax: {increments: 2}}"), ("  history_interval: 2 us\n", "")),
     }
     for what, changes in refused.items():

@@ -13,17 +13,22 @@ SKIPPED = 77
 ARCHITECTURES = {"sm_80", "sm_90"}
 # Kind → most registers. The second visit of bonds has work in few threads.
 LIMITS = {"advance": 32, "travel": 72, "list": 32, "boundary condition": 72, "fragments": 96, "pair forces": 160, "pressed strength": 56,
-          "dilatation": 64, "force": 72, "second visit": 128, "dilatation of what may yield": 72, "force of what may yield": 128, "with plastic strain": 144, "second visit of what may yield": 192}
+          "dilatation": 64, "force": 72, "second visit": 128, "dilatation of what may yield": 72, "force of what may yield": 128, "with plastic strain": 144, "second visit of what may yield": 192,
+          "deformation gradient": 96, "correspondence stress": 192, "correspondence force": 96}
 BOUNDARY = ("LoadKernel", "LiftKernel", "DeepTopsKernel", "WetKernel", "ResistKernel", "DampKernel", "ImposeKernel", "ListedTravelKernel", "ReactKernel")
 FRAGMENTS = ("MovedKernel", "MovedTogetherKernel", "GatherMembersKernel", "InsertBrokenPairsKernel", "DensityKernel", "SumMembersKernel")
+GRADIENT = ("GradientKernel", "RenewGradientKernel", "RenewRateKernel", "FollowBrokenKernel")
+STRESS = ("ResponseKernel", "BondLevelStressKernel", "BondLevelEnergyKernel")
 ENTRY = re.compile(
     r"Compiling entry function '(\w+)' for '(sm_\d+)'.*?(\d+) bytes stack frame, (\d+) bytes spill stores, (\d+) bytes spill loads.*?Used (\d+) registers", re.DOTALL)
 
 
 def kind_of(name):
     for start, kind in (("AdvanceKernel", "advance"), ("::TravelKernel", "travel"), ("GatherKernel", "list"), ("ScatterKernel", "list"),
-                        ("GatherBondsKernel", "list"), ("ScatterEightsKernel", "list"), ("SumLanesKernel", "list"), *((name, "boundary condition") for name in BOUNDARY),
+                        ("GatherBondsKernel", "list"), ("GatherPairKernel", "list"), ("NearnessKernel", "list"), ("MotionSumsKernel", "travel"), ("ScatterEightsKernel", "list"), ("SumLanesKernel", "list"), *((name, "boundary condition") for name in BOUNDARY),
                         ("PairForcesKernel", "pair forces"), *((f"device::{name}", "fragments") for name in FRAGMENTS),
+                        *((f"device::{name}<", "deformation gradient") for name in GRADIENT), *((f"device::{name}<", "correspondence stress") for name in STRESS),
+                        *((f"device::{name}<", "correspondence force") for name in ("BondLevelReturnKernel", "CorrespondenceForceKernel")),
                         ("PressedStrengthKernel", "pressed strength"), ("HotStressKernel", "force of what may yield")):
         if start in name:
             return kind

@@ -183,23 +183,10 @@ Body make_body(const BodySetup& setup, Particles particles, fccda::Stages& stage
   return {setup.name, std::move(particles), std::move(*family), std::move(internal), failure, std::move(cracks), bending};
 }
 
-Vec3d Body::momentum() const {
-  return exact_sum_over_eights(particles, [&](std::size_t slot) { return particles.mass(slot) * particles.velocity.at(slot); });
-}
-
-double Body::kinetic_energy(double dt) const {
-  const double half_kick = 0.5 * dt / particles.density();
-  return 0.5 * exact_sum_over_eights(particles, [&](std::size_t slot) {
-           return particles.mass(slot) * fccda::squared_norm(particles.velocity.at(slot) + half_kick * particles.force_density.at(slot));
-         });
-}
-
-double Body::kinetic_energy_of_scheme(double dt) const {
+MotionSums Body::motion(double dt) const {
   const double kick = dt / particles.density();
-  return 0.5 * exact_sum_over_eights(particles, [&](std::size_t slot) {
-           const Vec3d velocity = particles.velocity.at(slot);
-           return particles.mass(slot) * dot(velocity, velocity + kick * particles.force_density.at(slot));
-         });
+  return exact_sum_over_eights(
+      particles, [&](std::size_t slot) { return motion_of(particles.mass(slot), particles.velocity.at(slot), kick * particles.force_density.at(slot)); });
 }
 
 double Body::memory() const {

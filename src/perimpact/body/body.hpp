@@ -8,6 +8,7 @@
 #include "base/timers.hpp"
 #include "perimpact/body/failure.hpp"
 #include "perimpact/body/initial_cracks.hpp"
+#include "perimpact/body/motion_sums.hpp"
 #include "perimpact/deck_model/setup.hpp"
 #include "perimpact/deck_model/setup_error.hpp"
 #include "perimpact/discretisation/discretise.hpp"
@@ -29,13 +30,8 @@ struct Body {
   std::vector<CrackCut> cracks = {};             ///< initial cracks
   std::optional<double> bending = {};            ///< factor k_b of all bond stiffnesses, with bending_calibration
 
-  /// Linear momentum [kg m/s].
-  Vec3d momentum() const;
-  /// [J] with velocities advanced from the middle of the step to its end by the current forces: v + f dt/(2ρ).
-  double kinetic_energy(double dt) const;
-  /// [J] ½ Σ m v_{n-1/2}·v_{n+1/2}: its sum with the elastic energy of linear bonds is constant to rounding, while that of kinetic_energy()
-  /// oscillates by (ω dt)² (docs/theory/energy.md).
-  double kinetic_energy_of_scheme(double dt) const;
+  /// `dt` [s]: of the last step.
+  MotionSums motion(double dt = 0) const;
   double memory() const;  ///< [bytes] of its arrays
 
   template <class Visitor>

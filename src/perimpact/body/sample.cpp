@@ -91,6 +91,12 @@ Vec3d Sample::displacement(const Body& body) const {
   return sum / static_cast<double>(near_.size());
 }
 
+std::vector<std::uint32_t> Sample::slots() const {
+  std::vector<std::uint32_t> slots;
+  for (const Near& near : near_) slots.push_back(static_cast<std::uint32_t>(near.slot));
+  return slots;
+}
+
 std::vector<Sample> samples_along(const Body& body, const Vec3d& from, const Vec3d& to) {
   const int segments = std::max(1, static_cast<int>(std::lround(norm(to - from) / body.particles.spacing())));
   std::vector<Sample> samples;

@@ -17,6 +17,7 @@ class Sample {
   Vec3d at;                                                   ///< [m] in the reference configuration
   double distance() const { return near_.front().distance; }  ///< [m] from the point to these particles
   Vec3d displacement(const Body& body) const;                 ///< [m] mean
+  std::vector<std::uint32_t> slots() const;                   ///< of these particles, in a run of one rank
 
  private:
   static constexpr std::size_t most = 8;

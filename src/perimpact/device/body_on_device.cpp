@@ -28,13 +28,6 @@ void expect_supported_by_devices(const Setup& setup) {
   for (const BodySetup& body : setup.bodies) {
     const std::string key = "bodies." + body.name;
     if (is_cloud(body)) refuse(key + ".shape", "bodies from a file of particles are");
-    if (body.moving_window) refuse(key + ".moving_window", "moving windows are");
-    std::visit(
-        [&](const auto& material) {
-          using Force = typename Material<std::decay_t<decltype(material)>>::Force;
-          if constexpr (!std::is_constructible_v<Force, OrdinaryStateForce>) refuse(key + ".material.model", fmt::format("the model {} is", material.name));
-        },
-        body.material);
   }
 }
 
@@ -44,6 +37,7 @@ BodyOnDevice::~BodyOnDevice() = default;
 
 void BodyOnDevice::advance(Particles& particles, double dt, std::span<double> travel) { passes_->advance(particles, dt, travel); }
 void BodyOnDevice::evaluate(Body& body, double dt, bool with_energy) { passes_->evaluate(body, dt, with_energy); }
+MotionSums BodyOnDevice::motion(Body& body, double dt) { return passes_->motion_sums(body.particles, dt); }
 void BodyOnDevice::renew() { passes_->renew(); }
 
 void BodyOnDevice::to_host() const {

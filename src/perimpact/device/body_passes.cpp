@@ -8,18 +8,12 @@
 #include <utility>
 #include <vector>
 
+#include "perimpact/boundary_conditions/actions/listed_eights.hpp"
 #include "perimpact/particles/advance.hpp"
 
 namespace perimpact::device {
 
 using fccda::byte_lanes;
-
-namespace {
-
-template <class Force>
-constexpr bool is_supported = std::is_same_v<Force, OrdinaryStateForce> || std::is_same_v<Force, PlasticForce>;
-
-}  // namespace
 
 BodyPasses::BodyPasses(Device& device, Body& body)
     : device_(&device),
@@ -33,6 +27,7 @@ BodyPasses::BodyPasses(Device& device, Body& body)
       energy_(device, slots_),
       energy_of_eights_(device, slots_ / byte_lanes),
       fracture_(device, slots_),
+      motion_sums_(device, slots_ / byte_lanes),
       found_(device, slots_),
       is_hot_(device, slots_),
       broken_count_(device, 1),
@@ -40,10 +35,9 @@ BodyPasses::BodyPasses(Device& device, Body& body)
   const auto add = [&](const auto& array) { mirrors_.add(array); };
   body.particles.visit_arrays(add);
   add(body.family.offsets());
-  body.internal.with_kernel([&](const auto& force) {
-    if constexpr (is_supported<std::decay_t<decltype(force)>>) force.visit_arrays(add);
-  });
+  body.internal.with_kernel([&](const auto& force) { force.visit_arrays(add); });
   upload_bonds(body.family);
+  if (body.internal.correspondence()) known_ = KnownShapes(device, slots_, words_of(slots_, rows_));
 }
 
 void BodyPasses::renew() {
@@ -62,6 +56,19 @@ void BodyPasses::advance(Particles& particles, double dt, std::span<double> trav
   device_->download(travel.data(), travel_.data(), travel.size_bytes());
 }
 
+MotionSums BodyPasses::motion_sums(Particles& particles, double dt) {
+  motion_.to_device();
+  forces_.to_device();
+  const std::size_t eights = slots_ / byte_lanes;
+  MotionSumsKernel kernel{mirrors_.on_device(particles.view()), particles.force_density.pointers(), particles.density(), dt / particles.density(),
+                          motion_sums_.data()};
+  for (const double*& component : kernel.force) component = mirrors_.at(component);
+  device_->launch(kernel, eights);
+  std::vector<MotionSums> sums(eights);
+  device_->download(sums.data(), motion_sums_.data(), eights * sizeof(MotionSums));
+  return exact_sum_of_eights(particles.share().ranks(), eights, [&](std::size_t eight) { return sums[eight]; });
+}
+
 void BodyPasses::evaluate(Body& body, double dt, bool with_energy) {
   if (std::exchange(is_renewed_, false)) {
     upload_bonds(body.family);
@@ -69,32 +76,7 @@ void BodyPasses::evaluate(Body& body, double dt, bool with_energy) {
     has_flowed_ = true;
   }
   motion_.to_device();
-  body.internal.with_kernel_and_sums([&](auto& force, SumsOfEights& sums) {
-    if constexpr (is_supported<std::decay_t<decltype(force)>>) pass(force, body, dt, with_energy, sums);
-  });
-}
-
-/// visit(breaker) for each visit of the bonds in a pass in which they may break.
-template <class Visit>
-void BodyPasses::for_each_visit(const Breaking& breaking, const Body& body, const Visit& visit) {
-  breaking.choose<StencilBonds>(body.family, true, [&](const auto& of_host) {
-    using Breaker = std::decay_t<decltype(of_host)>;
-    const Breaker breaker = mirrors_.on_device(of_host);
-    if constexpr (!Breaker::is_armed) {
-      visit(breaker);
-    } else {
-      visit(Noting<Breaker>{breaker});
-      if (breaking.rule()->hardening == 0) return visit(breaker);
-      breaking.choose_by_strength<StencilBonds>(body.family, breaking.pressed_half_strength(), [&](const auto& pressed_of_host) {
-        const auto pressed = mirrors_.on_device(pressed_of_host);
-        device_->launch(PressedStrengthKernel{bonds(body.family), pressed.lengths, mirrors_.on_device(body.particles.view()).position,
-                                              hardening_slope(*breaking.rule()), mirrors_.at(breaking.half_strength().component(0)),
-                                              mirrors_.writable(breaking.pressed_half_strength().component(0)), found_.data()},
-                        slots_);
-        visit(pressed);
-      });
-    }
-  });
+  body.internal.with_kernel_and_sums([&](auto& force, SumsOfEights& sums) { pass(force, body, dt, with_energy, sums); });
 }
 
 void BodyPasses::pass(OrdinaryStateForce& force, Body& body, double dt, bool with_energy, SumsOfEights& sums) {
@@ -274,11 +256,11 @@ void BodyPasses::upload_bonds(const Family& family) {
   device_->upload(words_.data(), of_slots.data(), of_slots.size() * sizeof(std::uint32_t));
 }
 
-/// The bonds that broke, in the family and the sums. Only those of slots where some did travel.
-void BodyPasses::enter_broken(Family& family, SumsOfEights& sums) {
+/// The bonds that broke, in the family and the sums; whether any did. Only those of slots where some did travel.
+bool BodyPasses::enter_broken(Family& family, SumsOfEights& sums) {
   std::uint32_t count = 0;
   device_->download(&count, broken_count_.data(), sizeof count);
-  if (count == 0) return;
+  if (count == 0) return false;
   const std::size_t words = words_of_slot(rows_);
   if (count > most_broken_) {
     most_broken_ = std::min(std::max<std::size_t>(count, 2 * most_broken_), slots_);
@@ -305,6 +287,7 @@ void BodyPasses::enter_broken(Family& family, SumsOfEights& sums) {
     }
     sums.fracture_energy[eight] += fracture[place];
   }
+  return true;
 }
 
 /// The energy of each eight. `in_two_visits`: as the host adds it where particles are postponed, these last.

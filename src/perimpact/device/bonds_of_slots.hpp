@@ -49,7 +49,27 @@ class BondsOfSlots : public BondsAlongStencil<std::uint32_t> {
   BondsOfSlots(std::uint32_t* words, const std::ptrdiff_t* offsets, std::size_t rows)
       : BondsAlongStencil(offsets, rows), words_(words), words_of_slot_(static_cast<std::uint32_t>(device::words_of_slot(rows))) {}
 
+  /// The same bonds with other words.
+  BondsOfSlots with(std::uint32_t* words) const {
+    BondsOfSlots others = *this;
+    others.words_ = words;
+    return others;
+  }
   FCCDA_HD BitsOfSlot bits(std::size_t slot) const { return BitsOfSlot(words_ + first_word(slot, words_of_slot_)); }
+
+  /// As copy_changed_bonds() of the host: the bonds of one slot.
+  template <class Pack>
+  FCCDA_HD bool copy_changed(const BondsOfSlots& to, std::size_t slot) const {
+    bool changed = false;
+    const std::size_t first = first_word(slot, words_of_slot_);
+    for (std::size_t n = 0; n < words_of_slot_; ++n) {
+      const std::size_t at = first + n * slots_of_group;
+      if (to.words_[at] == words_[at]) continue;
+      to.words_[at] = words_[at];
+      changed = true;
+    }
+    return changed;
+  }
 
  private:
   std::uint32_t* words_;

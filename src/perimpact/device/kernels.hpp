@@ -5,6 +5,7 @@
 /// The passes over bonds are those of the processor, on packs of one particle: bitwise the same results.
 #pragma once
 
+#include <array>
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
@@ -13,8 +14,10 @@
 
 #include "base/host_device.hpp"
 #include "base/typelist.hpp"
+#include "perimpact/body/motion_sums.hpp"
 #include "perimpact/device/bonds_of_slots.hpp"
 #include "perimpact/device/boundary_kernels.hpp"
+#include "perimpact/device/correspondence_kernels.hpp"
 #include "perimpact/device/elastic_kernels.hpp"
 #include "perimpact/device/list_kernels.hpp"
 #include "perimpact/device/plastic_device_kernels.hpp"
@@ -44,12 +47,38 @@ struct TravelKernel {
   }
 };
 
+/// Momentum and kinetic energies of the particles of one eight.
+struct MotionSumsKernel {
+  ParticlesView particles;
+  std::array<const double*, 3> force;  // [N/m³]
+  double density, kick;                // [kg/m³] of inertia, [m³ s/kg]
+  MotionSums* sums;
+
+  FCCDA_HD void operator()(std::size_t eight) const {
+    MotionSums sum;
+    bool is_first = true;
+    for (std::size_t slot = eight * fccda::byte_lanes; slot < (eight + 1) * fccda::byte_lanes; ++slot) {
+      if (!particles.is_occupied(slot)) continue;
+      const auto& v = particles.velocity;
+      const MotionSums of_slot =
+          motion_of(density * particles.volume(slot), {v[0][slot], v[1][slot], v[2][slot]}, kick * Vec3d{force[0][slot], force[1][slot], force[2][slot]});
+      if (is_first)
+        sum = of_slot;
+      else
+        sum += of_slot;
+      is_first = false;
+    }
+    sums[eight] = sum;
+  }
+};
+
 /// All kernels.
-using Kernel = fccda::JoinedVariant<AdvanceKernel, TravelKernel, GatherKernel, ScatterKernel, GatherBondsKernel, BoundaryKernels, ShortRangeKernels,
-                                    PressedStrengthKernel, ElasticKernels<NoCorrections>, ElasticKernels<Corrections<EnergyFactor, EnergyFactor>>,
-                                    ElasticKernels<Corrections<VolumeFactor, VolumeFactor>>, ElasticKernels<Corrections<FamilyFactor, PlainBonds, true>>,
-                                    PlasticKernels<NoCorrections>, PlasticKernels<Corrections<EnergyFactor, EnergyFactor>>,
-                                    PlasticKernels<Corrections<VolumeFactor, VolumeFactor>>>;
+using Kernel =
+    fccda::JoinedVariant<AdvanceKernel, TravelKernel, MotionSumsKernel, GatherKernel, GatherPairKernel, ScatterKernel, GatherBondsKernel, BoundaryKernels,
+                         ShortRangeKernels, PressedStrengthKernel, ElasticKernels<NoCorrections>, ElasticKernels<Corrections<EnergyFactor, EnergyFactor>>,
+                         ElasticKernels<Corrections<VolumeFactor, VolumeFactor>>, ElasticKernels<Corrections<FamilyFactor, PlainBonds, true>>,
+                         PlasticKernels<NoCorrections>, PlasticKernels<Corrections<EnergyFactor, EnergyFactor>>,
+                         PlasticKernels<Corrections<VolumeFactor, VolumeFactor>>, NearnessKernel, CorrespondenceKernels<2>, CorrespondenceKernels<3>>;
 
 static_assert(std::is_trivially_copyable_v<Kernel>, "kernels travel to the device as bytes");
 

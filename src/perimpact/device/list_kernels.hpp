@@ -27,7 +27,19 @@ struct GatherKernel {
   }
 };
 
-/// The reverse.
+/// From two arrays by slot: all of the first, then of the second.
+struct GatherPairKernel {
+  SlotList list;
+  const double *first, *second;
+  double* numbers;
+
+  FCCDA_HD void operator()(std::size_t place) const {
+    const std::size_t slot = list.slots[place];
+    numbers[place] = first[slot], numbers[list.count + place] = second[slot];
+  }
+};
+
+/// The reverse of GatherKernel.
 struct ScatterKernel {
   SlotList list;
   const double* numbers;

@@ -57,6 +57,10 @@ void ProximityMonitor::sample(std::span<const Body> bodies, std::span<const Impa
   }
 }
 
+bool ProximityMonitor::reads(std::size_t body, std::span<const Impactor> impactors) {
+  return !std::ranges::all_of(impactors, [&](const Impactor& impactor) { return impactor.record().was_in_contact(body); });
+}
+
 std::vector<std::string> ProximityMonitor::warnings(std::span<const Body> bodies, std::span<const Impactor> impactors) const {
   fccda::GroupedSentences warnings;
   for (const std::string& sentence : warnings_of_distance(bodies, impactors)) warnings.add(sentence, "", sentence);

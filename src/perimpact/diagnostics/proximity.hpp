@@ -22,6 +22,9 @@ class ProximityMonitor {
   /// every particle is searched below the smallest so far. Measured: 60 ms for 1.4 million particles on two busy cores, a twelfth of a step.
   void sample(std::span<const Body> bodies, std::span<const Impactor> impactors, double contact_ratio, double time);
 
+  /// True if sample() reads the particles of this body: until each impactor has been in contact with it.
+  static bool reads(std::size_t body, std::span<const Impactor> impactors);
+
   /// One sentence each; of many pairs without contact, one of them all.
   std::vector<std::string> warnings(std::span<const Body> bodies, std::span<const Impactor> impactors) const;
 

@@ -28,27 +28,31 @@ double energy_of_rounding(std::span<const Body> bodies, double dt) {
   return energy;
 }
 
-/// [J] with the mid-step velocities.
-double kinetic_energy_amid_step(const Particles& particles) {
-  return 0.5 * exact_sum_over_eights(particles, [&](std::size_t slot) { return particles.mass(slot) * squared_norm(particles.velocity.at(slot)); });
-}
-
 /// Limits the work of a long run after it has become invalid.
 constexpr long most_steps_unchecked = 200;
 
 constexpr ColumnKind instantaneous = ColumnKind::instantaneous, interval_mean = ColumnKind::interval_mean, cumulative = ColumnKind::cumulative;
-/// [J] contribution of contact to the kinetic energy of a body at the end of the step, not included in its forces: half of the impulse,
-/// assumed constant.
-double contact_share(std::size_t body, const Particles& particles, std::span<const Impactor> impactors, double dt) {
-  struct Push {
-    std::size_t slot;
-    Vec3d impulse;  // [N s]
-  };
+
+/// On a particle, by an impactor.
+struct Push {
+  std::size_t slot;
+  Vec3d impulse;  // [N s]
+};
+
+/// Those of the step, by slot.
+std::vector<Push> pushes_on(std::size_t body, std::span<const Impactor> impactors) {
   std::vector<Push> pushes;
   for (const Impactor& impactor : impactors)
     for (const ContactImpulse& contact_impulse : impactor.contact_impulses_now())
       if (contact_impulse.body == body) pushes.push_back({*contact_impulse.slot, -contact_impulse.impulse});
   std::stable_sort(pushes.begin(), pushes.end(), [](const Push& a, const Push& b) { return a.slot < b.slot; });
+  return pushes;
+}
+
+/// [J] contribution of contact to the kinetic energy of a body at the end of the step, not included in its forces: half of the impulse,
+/// assumed constant.
+double contact_share(std::size_t body, const Particles& particles, std::span<const Impactor> impactors, double dt) {
+  const std::vector<Push> pushes = pushes_on(body, impactors);
   std::vector<std::uint32_t> slots;
   std::vector<double> energies;  // [J] of each
   for (auto push = pushes.begin(); push != pushes.end();) {
@@ -81,6 +85,15 @@ Monitors::Monitors(const OutputSetup& setup, std::span<const Body> bodies, const
                        fmt::format("probe {} lies {:.3g} m from the nearest particle of body {}, more than its spacing of {:.3g} m; move it into the body.",
                                    probe.name, away, probe.body, spacing));
   }
+}
+
+std::vector<std::uint32_t> Monitors::slots_read(std::size_t body, std::span<const Impactor> impactors, const Clock& clock) const {
+  std::vector<std::uint32_t> slots;
+  for (const Push& push : pushes_on(body, impactors)) slots.push_back(static_cast<std::uint32_t>(push.slot));
+  if (is_due(clock))
+    for (const Probe& probe : probes_)
+      if (probe.body == body) std::ranges::copy(probe.sample.slots(), std::back_inserter(slots));
+  return slots;
 }
 
 void Monitors::add(std::string_view owner, const Of& of, double value) {
@@ -166,13 +179,14 @@ Monitors::Balance Monitors::balance_of(const Scene& scene) {
   for (std::size_t b = 0; b < scene.bodies.size(); ++b) {
     const Body& body = scene.bodies[b];
     const BoundaryConditions& boundary_conditions = scene.boundary_conditions[b];
-    const double kinetic = kinetic_[b] = scene.relaxed ? 0 : body.kinetic_energy(dt) + contact_share(b, body.particles, scene.impactors, dt);
-    of.momentum += body.momentum();
+    const MotionSums& motion = scene.motion[b];
+    const double kinetic = kinetic_[b] = scene.relaxed ? 0 : motion.kinetic_energy + contact_share(b, body.particles, scene.impactors, dt);
+    of.momentum += motion.momentum;
     of.energy += kinetic + elastic_[b];
     of.work += boundary_conditions.work();
     of.unpaid += boundary_conditions.half_kick(scene.clock.time(), dt);
-    of.ripple += scene.relaxed ? 0 : kinetic - body.kinetic_energy_of_scheme(dt);
-    of.since_amid += scene.relaxed ? 0 : kinetic - kinetic_energy_amid_step(body.particles);
+    of.ripple += scene.relaxed ? 0 : kinetic - motion.kinetic_energy_of_scheme;
+    of.since_amid += scene.relaxed ? 0 : kinetic - motion.kinetic_energy_amid_step;
     of.taken += body.internal.fracture_energy() + body.internal.plastic_dissipation();
     of.contact -= boundary_conditions.constraint_work_correction();
   }

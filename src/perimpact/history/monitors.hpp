@@ -2,6 +2,7 @@
 /// cumulative ledgers, do not modify the state, and are independent of each other.
 #pragma once
 
+#include <cstdint>
 #include <optional>
 #include <span>
 #include <string>
@@ -43,13 +44,17 @@ class Monitors {
   /// Objects to be sampled.
   struct Scene {
     std::span<const Body> bodies;
-    std::span<const BoundaryConditions> boundary_conditions;  // of each body
+    std::span<const MotionSums> motion;                       // of each
+    std::span<const BoundaryConditions> boundary_conditions;  // of each
     std::span<const Impactor> impactors;
     const Clock& clock;
     const std::optional<ShortRange>& fragments;  // if contact of fragments is enabled
     std::span<const MovingWindow> windows;
     const Relaxed* relaxed;  // convergence of the increment, with time.relax
   };
+
+  /// Slots of a body whose position, velocity and force density are read in this sampled step, but where sums are not finite: then all are.
+  std::vector<std::uint32_t> slots_read(std::size_t body, std::span<const Impactor> impactors, const Clock& clock) const;
 
   /// Samples a step: checks it and creates a row if these are due. Throws RunError if values are not finite or energy increases without a
   /// source.

@@ -216,16 +216,7 @@ Simulation::Simulation(const Setup& setup, Start start, std::vector<UserForceOnB
   for (const Body& body : bodies_) travel_.emplace_back(travel_blocks(body.particles), 0.0);
   expect_solid_bodies(bodies_, impactors_);
   use_scalar_kernels();
-  for (std::size_t b = 0; processor_.device && b < bodies_.size(); ++b) {
-    BodyOnDevice body(*processor_.device, bodies_[b]);
-    BoundaryConditionsOnDevice boundary_conditions(*processor_.device, body, bodies_[b], boundary_conditions_[b]);
-    on_device_.push_back({std::move(body), std::move(boundary_conditions)});
-  }
-  if (processor_.device && fragments_) {
-    std::vector<BodyOnDevice*> all;
-    for (OnDevice& one : on_device_) all.push_back(&one.body);
-    fragments_on_device_.emplace(*processor_.device, all);
-  }
+  copy_to_device();
   stages_.begin("diagnostics");
   const auto warn = [&](std::vector<std::string> sentences) { std::ranges::move(sentences, std::back_inserter(warnings_)); };
   warn(warnings_about_bodies(setup_, bodies_, filled_masses_));
@@ -242,6 +233,27 @@ Simulation::Simulation(const Setup& setup, Start start, std::vector<UserForceOnB
   }
   sample_monitors();
   stages_.end();
+}
+
+void Simulation::copy_to_device() {
+  if (!processor_.device) return;
+  for (std::size_t b = 0; b < bodies_.size(); ++b) {
+    BodyOnDevice body(*processor_.device, bodies_[b]);
+    BoundaryConditionsOnDevice boundary_conditions(*processor_.device, body, bodies_[b], boundary_conditions_[b]);
+    on_device_.push_back({std::move(body), std::move(boundary_conditions)});
+  }
+  if (!fragments_) return;
+  std::vector<BodyOnDevice*> all;
+  for (OnDevice& one : on_device_) all.push_back(&one.body);
+  fragments_on_device_.emplace(*processor_.device, all);
+}
+
+void Simulation::release_from_device() {
+  bring_to_host();
+  for (OnDevice& one : on_device_) one.boundary_conditions.record_to_host();
+  if (fragments_on_device_) fragments_on_device_->to_host(*fragments_);
+  fragments_on_device_.reset();
+  on_device_.clear();
 }
 
 void Simulation::step(const KeepRelaxing& keep_on) {
@@ -293,6 +305,7 @@ void Simulation::move_window(MovingWindow& window, long moves) {
     visit_parts(visit);
     visit_record(visit);
   };
+  release_from_device();
   window.inspect_front(bodies_[window.body()], moves);
   CapturedState captured;
   visit_all(captured);
@@ -307,6 +320,7 @@ void Simulation::move_window(MovingWindow& window, long moves) {
   boundary_conditions_[b].restart_potentials();
   for (Impactor& impactor : impactors_) impactor.forget_distances(b);
   monitors_.renew_balance();
+  copy_to_device();
 }
 
 /// Rebuilds the body of the window at its cells, undeformed. Its parts keep their addresses, and its arrays theirs, to which programs may refer.
@@ -441,12 +455,30 @@ void Simulation::end_load_interval() {
 }
 
 void Simulation::sample_monitors() {
-  bring_to_host();
+  const std::vector<MotionSums> motion = motion_of_bodies();
   const double row_before = monitors_.row_time();
-  monitors_.watch({bodies_, boundary_conditions_, impactors_, clock_, fragments_, windows_, relaxation_ ? &relaxation_->latest() : nullptr});
+  monitors_.watch({bodies_, motion, boundary_conditions_, impactors_, clock_, fragments_, windows_, relaxation_ ? &relaxation_->latest() : nullptr});
   if (monitors_.is_due(clock_))
     for (Impactor& impactor : impactors_) impactor.end_history_interval(clock_.time(), clock_.time() - row_before);
   if (monitors_.is_checked(clock_)) proximity_.sample(bodies_, impactors_, setup_.contact.impactors.radius_ratio, clock_.time());
+}
+
+std::vector<MotionSums> Simulation::motion_of_bodies() {
+  std::vector<MotionSums> motion;
+  for (std::size_t b = 0; b < bodies_.size(); ++b) {
+    OnDevice* const device = on_device(b);
+    if (!device) {
+      motion.push_back(bodies_[b].motion(clock_.dt));
+      continue;
+    }
+    motion.push_back(device->body.motion(bodies_[b], clock_.dt));
+    const bool is_finite = std::isfinite(motion.back().kinetic_energy) && std::isfinite(monitors_.elastic_energy()[b]);
+    if (!is_finite || (monitors_.is_checked(clock_) && ProximityMonitor::reads(b, impactors_)))
+      device->body.to_host();
+    else
+      device->body.to_host(monitors_.slots_read(b, impactors_, clock_));
+  }
+  return motion;
 }
 
 std::size_t Simulation::contacts() const {

@@ -98,9 +98,12 @@ class Simulation {
     for (MovingWindow& window : windows_) {
       const std::array<int, 3> first = window.first();
       window.visit_state(visit);
-      if (window.first() != first) rebuild(window);  // a restart: what follows belongs to the body there
+      if (window.first() == first) continue;
+      release_from_device();
+      rebuild(window);  // a restart: what follows belongs to the body there
     }
     visit_parts(visit);
+    if (on_device_.empty()) return copy_to_device();
     for (OnDevice& one : on_device_) one.body.renew(), one.boundary_conditions.renew();  // the visitor may write
   }
   std::uint64_t state_hash();  ///< of the whole state; the same for any number of ranks and threads. Collective.
@@ -158,6 +161,10 @@ class Simulation {
   void bring_to_host() const {
     for (const OnDevice& one : on_device_) one.body.to_host();
   }
+  /// Makes the copies of the bodies on the device, if there is one.
+  void copy_to_device();
+  /// Brings the bodies to the host, whose arrays may then change their addresses and sizes.
+  void release_from_device();
   void move_windows();
   void move_window(MovingWindow& window, long moves);
   void rebuild(const MovingWindow& window);
@@ -174,6 +181,7 @@ class Simulation {
   void relax(const KeepRelaxing& keep_on);
   void end_load_interval();
   void sample_monitors();
+  std::vector<MotionSums> motion_of_bodies();  // brings to the host what monitors read of particles
 
   Ranks* ranks_;
   Setup setup_;

@@ -54,7 +54,7 @@ struct BoundedBody {
     boundary_conditions.add_forces(body.particles, clock.next());
   }
 
-  double energy() const { return elastic_energy + body.kinetic_energy(clock.dt); }  ///< [J]
+  double energy() const { return elastic_energy + body.motion(clock.dt).kinetic_energy; }  ///< [J]
 };
 
 }  // namespace fixtures

@@ -79,7 +79,7 @@ constexpr int steps = 6;
 TEST_CASE("device: state, energies and travel are bitwise those of the scalar kernel, for every material, correction and failure rule on a lattice") {
   std::size_t broken = 0, cases = 0;
   for (const fixtures::NamedOptions& material : fixtures::every_body({0.010, 0.007, 0.006})) {
-    if (material.options.points != fixtures::Points::lattice || material.options.model == fixtures::Model::correspondence) continue;
+    if (material.options.points != fixtures::Points::lattice) continue;
     for (const fixtures::NamedOptions& one : with_failure(material)) {
       CAPTURE(one.name);
       Body on_host = moving(one.options), body = moving(one.options);

@@ -2,6 +2,7 @@
 // reads there without having fetched them NaN.
 #include <doctest/doctest.h>
 
+#include <cmath>
 #include <cstdint>
 #include <optional>
 #include <string>
@@ -16,6 +17,7 @@
 #include "perimpact/rank_scenes.hpp"
 #include "perimpact/simulation/simulation.hpp"
 #include "perimpact/simulations.hpp"
+#include "perimpact/window_scene.hpp"
 
 using namespace perimpact;
 
@@ -110,7 +112,8 @@ struct Result {
   std::vector<std::vector<double>> rows;
   std::uint64_t hash = 0;
   std::size_t contacts = 0, broken_bonds = 0;
-  double flooding = 0;  // [J]
+  double flooding = 0;       // [J]
+  double window_travel = 0;  // [m]
 };
 
 Result run(Simulation& simulation) {
@@ -123,6 +126,7 @@ Result run(Simulation& simulation) {
   for (const Body& body : simulation.bodies()) result.broken_bonds += body.internal.broken_bonds();
   for (const NamedBoundaryCondition& one : simulation.boundary_conditions()[0].all())
     if (const auto* water = std::get_if<Floating>(&one.boundary)) result.flooding += water->flooding_dissipation();
+  for (const MovingWindow& window : simulation.moving_windows()) result.window_travel = std::abs(window.travel());
   result.hash = simulation.state_hash();
   return result;
 }
@@ -200,6 +204,17 @@ TEST_CASE("simulation on a device: user forces, material that yields, and contac
   }
 }
 
+TEST_CASE("simulation on a device: a body whose window moves is bitwise that of the scalar kernel, also where ice yields and its rubble is in contact") {
+  const ::fixtures::TemporaryFolder folder;
+  for (Setup setup : {fixtures::window_strip(folder.path(), false, 1, fixtures::Model::ordinary_state), fixtures::window_rubble(folder.path())}) {
+    setup.time.step = setup.time.end / steps;
+    setup.output.history_interval = setup.time.end / 16;
+    const Result result = expect_same(setup);
+    CHECK(result.window_travel == 24 * fixtures::window_spacing);
+    CHECK(result.broken_bonds > 0);
+  }
+}
+
 TEST_CASE("simulation on a device: of contact between fragments sums of eights and displacements of blocks travel, where the list of pairs is not new") {
   Setup setup = rubble(Plane::strain, 1);
   constexpr int steps_between_samples = 4;
@@ -253,12 +268,36 @@ TEST_CASE("simulation on a device: without contact, samples, breaking bonds and 
   }
 }
 
+TEST_CASE("simulation on a device: once the impactor has been in contact, of sampled steps sums of eights and the particles in contact travel") {
+  Setup setup = plate({});
+  constexpr int steps_between_samples = 4;
+  setup.time.step = setup.time.end / (100 * steps_between_samples);
+  EmulatedDevice device;
+  Simulation simulation(setup, Start(setup), {}, {.device = &device});
+  const std::size_t slots = simulation.bodies()[0].particles.slots();
+  int compared = 0;
+  while (!simulation.clock().is_finished()) {
+    const std::size_t before = device.copied().downloaded;
+    const bool was_in_contact = simulation.impactors()[0].record().was_in_contact(0);
+    simulation.step();
+    const bool is_sampled = simulation.clock().step % steps_between_samples == 0;
+    if (!was_in_contact || !is_sampled) continue;
+    const std::size_t of_eights = slots / 8 * 7 * sizeof(double), of_contact = 72 * 4 * (simulation.contacts() + 20);  // due ones too
+    CAPTURE(simulation.clock().step);
+    CHECK(device.copied().downloaded - before > of_eights);
+    CHECK(device.copied().downloaded - before < of_eights + of_contact + slots);
+    ++compared;
+  }
+  CHECK(compared > 50);
+}
+
 TEST_CASE("simulation on a device: a state and a record change between device and host after any step, with every boundary condition and fragments") {
-  for (const Setup& setup : {constrained_plate(), loaded_plate(true), floating_sheet(), rubble()}) {
+  const ::fixtures::TemporaryFolder folder;
+  for (const Setup& setup : {constrained_plate(), loaded_plate(true), floating_sheet(), rubble(), fixtures::window_rubble(folder.path())}) {
     EmulatedDevice device;
     Simulation whole(setup, Start(setup), {}, {.is_scalar = true});
     std::optional<Simulation> taken_up(std::in_place, setup, Start(setup), std::vector<UserForceOnBody>(), Processor{.device = &device});
-    for (int step = 0; step < 40; ++step) {
+    for (int step = 0; step < 40 && !whole.clock().is_finished(); ++step) {
       if (step % 7 == 3) {
         const fixtures::Snapshot snapshot(*taken_up);
         const bool to_host = step % 2 == 0;

@@ -28,7 +28,7 @@ double energy_after(BodyOptions options, double dt, int steps) {
     advance(solid.particles, dt, travel);
     energy = solid.internal.evaluate_with_energy(solid.particles, solid.family);
   }
-  return (energy + solid.kinetic_energy(dt)) / first;
+  return (energy + solid.motion(dt).kinetic_energy) / first;
 }
 
 /// Correspondence on lattices and clouds, and the ordinary materials on clouds: all that have no formula of plane waves.

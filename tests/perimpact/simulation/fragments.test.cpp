@@ -98,8 +98,8 @@ TEST_CASE("fragments: two equal bars in head-on impact exchange their velocities
     CHECK(value(simulation, "total.energy [J]") == fixtures::relative(energy, 0.01));
     CHECK(std::fabs(value(simulation, "total.momentum_x [kg m/s]")) <= 1e-12 * mass * 10);
     // a wave without dispersion would turn all of it round; the lattice and the bars' thickness keep a little as vibration
-    CHECK(simulation.bodies()[0].momentum().x / mass == fixtures::relative(-10, 0.05));
-    CHECK(simulation.bodies()[1].momentum().x / mass == fixtures::relative(10, 0.05));
+    CHECK(simulation.bodies()[0].motion().momentum.x / mass == fixtures::relative(-10, 0.05));
+    CHECK(simulation.bodies()[1].motion().momentum.x / mass == fixtures::relative(10, 0.05));
   }
 }
 
@@ -108,7 +108,7 @@ TEST_CASE("fragments: without contact the same bars pass through one another, an
   setup.contact.fragments.law.index = static_cast<int>(FragmentLaw::none);
   Simulation simulation(setup);
   run(simulation);
-  CHECK(simulation.bodies()[0].momentum().x == fixtures::relative(simulation.bodies()[0].particles.total_mass() * 10, 1e-12));
+  CHECK(simulation.bodies()[0].motion().momentum.x == fixtures::relative(simulation.bodies()[0].particles.total_mass() * 10, 1e-12));
   for (const Column& column : simulation.monitors().columns()) CHECK(column.name.find("contact_energy") == std::string::npos);
 }
 
@@ -180,9 +180,9 @@ TEST_CASE("fragments: a slider under pressure is braked by µ times the pressure
       slider.force_density.set(slot, slider.force_density.at(slot) - Vec3d{0, 0, density * acceleration} - damping * density * slider.velocity.at(slot));
     }
   };
-  const auto mean_speed = [&] { return bodies[1].momentum().x / slider.total_mass(); };
+  const auto mean_speed = [&] { return bodies[1].motion().momentum.x / slider.total_mass(); };
   for (int settling = 0; settling < 4000; ++settling) step(2e5);  // near critical for the layer on its contact
-  REQUIRE(std::fabs(bodies[1].momentum().z / slider.total_mass()) < 0.01 * speed);
+  REQUIRE(std::fabs(bodies[1].motion().momentum.z / slider.total_mass()) < 0.01 * speed);
   REQUIRE(contact.contacts() >= 64);  // all pairs within √3 of a spacing along the face of which an end is pressed: corners begin later
   for (const std::uint32_t slot : slider.slot_of()) slider.velocity.set(slot, slider.velocity.at(slot) + Vec3d{speed, 0, 0});
   const double brake = friction * acceleration;
@@ -220,7 +220,7 @@ BodySetup soft_block(const std::string& name, const Vec3d& size, const Vec3d& po
 }
 
 Vec3d mean_velocity(const Simulation& simulation, std::size_t body) {
-  return simulation.bodies()[body].momentum() / simulation.bodies()[body].particles.total_mass();
+  return simulation.bodies()[body].motion().momentum / simulation.bodies()[body].particles.total_mass();
 }
 
 struct Rebound {

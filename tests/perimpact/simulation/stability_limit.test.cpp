@@ -72,7 +72,7 @@ double energy_after(Body body, double dt, int steps) {
     advance(body.particles, dt, travel);
     energy = body.internal.evaluate_with_energy(body.particles, body.family);
   }
-  return (energy + body.kinetic_energy(dt)) / first;
+  return (energy + body.motion(dt).kinetic_energy) / first;
 }
 
 /// Every law, correction, dimension and kind of points, over Poisson's ratios from 0 to nearly one half.
