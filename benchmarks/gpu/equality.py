@@ -1,0 +1,116 @@
+#!/usr/bin/env python3
+"""Every shipped deck on a device, and by the scalar kernel of the processor: state and all result files, byte for byte.
+
+    benchmarks/gpu/equality.py [DECK ...]            on a GPU; writes results/gpu_equality_<device>.csv
+    benchmarks/gpu/equality.py --device emulated     the same without one; half an hour on two cores
+
+Of each deck the first steps are run, with changes that let impactors be in contact and bonds break within them. history.csv has a row every five steps, with exact
+sums over all particles; state_hash, of the end, is that of all positions, velocities and bonds. Exit code 1: something differs. 2: a run fails.
+"""
+
+import argparse
+import csv
+import json
+import os
+import re
+import sys
+import tempfile
+from pathlib import Path
+
+ROOT = Path(__file__).resolve().parents[2]
+sys.path.append(str(ROOT / "benchmarks/plate"))
+import programs  # noqa: E402
+
+CASES = ROOT / "cases"
+UPDATES = 1e7  # particle-steps of each run, at most
+STEPS = 600
+
+# As fast as needed, and of weaker material; by the beginning of a deck's name, the later ones in addition.
+WEAK_SHEET = {"bodies.sheet.material.flexural_strength": "20 kPa"}
+
+
+def pressed(sets, time, speed):
+    """Particle sets of a specimen that approach each other; negative speeds: they part."""
+    return {f"bodies.ice.boundary_conditions.{name}.prescribed.z": f"{{times: [0, {time}], velocities: [0, {sign * speed:g}]}}" for name, sign in sets.items()}
+
+
+BOTH_ENDS = {"top": -1, "bottom": 1}
+CHANGES = {
+    "crack_branching/": {"bodies.glass.boundary_conditions.pull_up.pressure.value": "-1 GPa"},
+    "floating_strip/": {"bodies.ice.boundary_conditions.load.body_force.force_density": "[0, 0, -200 MN/m3]"},
+    "ice_paddle/": {"impactors.paddle.motion.rz": "{times: [0, 1 ms], velocities: [-400 rad/s, -300 rad/s]}", "impactors.paddle.surface.rotate": "[0, 0, -26 deg]"},
+    "ice_specimens/bending.yaml": pressed({"load_left": -1, "load_right": -1}, "2 ms", 1),
+    "ice_specimens/brazilian.yaml": pressed(BOTH_ENDS, "1 ms", 0.3),
+    "ice_specimens/compression.yaml": pressed(BOTH_ENDS, "1 ms", 0.4),
+    "ice_specimens/crushed.yaml": pressed(BOTH_ENDS, "1 ms", 0.4),
+    "ice_specimens/tension.yaml": pressed(BOTH_ENDS, "1 ms", -0.2),
+    "ice_specimens/punch.yaml": {"bodies.block.boundary_conditions.punch.prescribed.z": "{times: [0, 0.5 ms], velocities: [0, -2]}"},
+    "ice_specimens/edge_cylinder.yaml": {"impactors.indenter.velocity": "[2 m/s, 0, 0]"},
+    "kalthoff_winkler/": {"bodies.plate.material.critical_stretch": 0.001},
+    "plate_impact/": {"bodies.plate.material.critical_stretch": 0.001},
+    "ship_ice/": {"bodies.sheet.material.critical_stretch": 2e-5, "impactors.ship.position": "[0.05 m, 0, 0]", "impactors.ship.velocity": "[-20 m/s, 0, 0]"},
+    "submarine_surfacing/": {"impactors.submarine.velocity": "[0, 0, 20 m/s]"},
+    "uikku_ice/": WEAK_SHEET | {"bodies.sheet.moving_window": "{follow: ship, start_after: 0 m}", "impactors.ship.position": "[0.05 m, 0, 0]"},
+    "uikku_ice/free.yaml": {"impactors.ship.velocity": "[-300 m/s, 0, 0]"},
+    **{f"uikku_ice/{deck}": {"impactors.ship.motion.x": "{times: [0, 1], velocities: [-300 m/s, -300 m/s]}"} for deck in ("deck.yaml", "test_103.yaml", "test_104.yaml", "test_205.yaml", "test_403.yaml")},
+}  # fmt: skip
+
+
+def decks():
+    """Those that can be run: as_printed.yaml contains what its paper prints, which the program refuses."""
+    return [str(path.relative_to(CASES)) for path in sorted(CASES.glob("*/*.yaml")) if path.name != "as_printed.yaml"]
+
+
+def changes_of(program, deck):
+    """With the length of the run."""
+    changes = {}
+    for beginning, more in CHANGES.items():
+        if deck.startswith(beginning):
+            changes |= more
+    report = programs.run([program, "check", CASES / deck, *programs.changes(changes)], os.sched_getaffinity(0))
+    step, steps = re.search(r"^\s*step\s+(\S+) s, (\d+) steps", report, re.MULTILINE).groups()
+    particles = sum(int(number) for number in re.findall(r"^\s*particles\s+(\d+)", report, re.MULTILINE))
+    steps = min(int(steps), STEPS, int(UPDATES / particles))
+    return changes | {"time.step": step, "time.end": f"{steps * float(step):.9g}", "output.frames": 2, "output.history_interval": f"{5 * float(step):.9g}"}
+
+
+def run(program, deck, changes, device, out):
+    """The report of the run, and its other files by name."""
+    programs.run([program, "run", CASES / deck, "--out", out, "--device", device, "--no-report", *programs.changes(changes)], os.sched_getaffinity(0), {"OMP_WAIT_POLICY": "passive"})
+    files = {str(path.relative_to(out)): path.read_bytes() for path in sorted(out.rglob("*")) if path.is_file()}
+    report = json.loads(files.pop("run.json"))
+    files.pop("checkpoint.h5", None)  # contains times
+    return report, files
+
+
+def does(history, column):
+    """Whether a column with this end has other values than 0."""
+    rows = csv.DictReader(history.decode().splitlines())
+    return any(float(row[name]) != 0 for row in rows for name in row if name.endswith(column))
+
+
+def main():
+    parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
+    parser.add_argument("decks", nargs="*", choices=[[], *decks()], metavar="DECK", help="all by default")
+    parser.add_argument("--device", default="cuda", help="device that is compared (default cuda)")
+    parser.add_argument("--program", type=Path, default=ROOT / "build/release/perimpact")
+    arguments = parser.parse_args()
+    program = arguments.program.resolve()
+    rows = []
+    for deck in arguments.decks or decks():
+        changes = changes_of(program, deck)
+        with tempfile.TemporaryDirectory() as folder:
+            scalar, wanted = run(program, deck, changes, "cpu-scalar", Path(folder) / "scalar")
+            own, files = run(program, deck, changes, arguments.device, Path(folder) / "device")
+        unequal = [file for file in wanted.keys() | files.keys() if wanted.get(file) != files.get(file)]
+        equal = not unequal and own["state_hash"] == scalar["state_hash"]
+        events = {name: "yes" if does(wanted["history.csv"], column) else "no"
+                  for name, column in (("contact", ".contacts [-]"), ("bonds break", ".broken_bonds [-]"), ("yields", ".plastic_dissipation [J]"), ("window moves", ".window_travel [m]"))}  # fmt: skip
+        rows.append({"machine": programs.machine(), "deck": deck, "device": own["device"], "steps": own["steps"], **events, "files": len(files), "to cpu-scalar": "equal" if equal else "differs"})
+        print(*list(rows[-1].values())[1:], *unequal[:5], flush=True)
+    programs.write_results(f"gpu equality {rows[0]['device']}", rows)
+    return 1 if any(row["to cpu-scalar"] != "equal" for row in rows) else 0
+
+
+if __name__ == "__main__":
+    programs.exit_with(main)
