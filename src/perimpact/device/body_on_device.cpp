@@ -2,8 +2,6 @@
 
 #include <string>
 #include <string_view>
-#include <type_traits>
-#include <variant>
 
 #include <fmt/format.h>
 
@@ -37,7 +35,7 @@ BodyOnDevice::~BodyOnDevice() = default;
 
 void BodyOnDevice::advance(Particles& particles, double dt, std::span<double> travel) { passes_->advance(particles, dt, travel); }
 void BodyOnDevice::evaluate(Body& body, double dt, bool with_energy) { passes_->evaluate(body, dt, with_energy); }
-MotionSums BodyOnDevice::motion(Body& body, double dt) { return passes_->motion_sums(body.particles, dt); }
+MotionSums BodyOnDevice::motion(const Body& body, double dt) { return passes_->motion_sums(body.particles, dt); }
 void BodyOnDevice::renew() { passes_->renew(); }
 
 void BodyOnDevice::to_host() const {

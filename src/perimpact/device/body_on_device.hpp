@@ -50,7 +50,7 @@ class BodyOnDevice {
   void evaluate(Body& body, double dt, bool with_energy);
 
   /// As Body::motion().
-  MotionSums motion(Body& body, double dt);
+  MotionSums motion(const Body& body, double dt);
 
   /// Brings positions, velocities and force densities to the arrays of the host, of all slots or of these, unless they are current there. Must be called
   /// before the host reads or changes them.

@@ -56,14 +56,13 @@ void BodyPasses::advance(Particles& particles, double dt, std::span<double> trav
   device_->download(travel.data(), travel_.data(), travel.size_bytes());
 }
 
-MotionSums BodyPasses::motion_sums(Particles& particles, double dt) {
+MotionSums BodyPasses::motion_sums(const Particles& particles, double dt) {
   motion_.to_device();
   forces_.to_device();
   const std::size_t eights = slots_ / byte_lanes;
-  MotionSumsKernel kernel{mirrors_.on_device(particles.view()), particles.force_density.pointers(), particles.density(), dt / particles.density(),
-                          motion_sums_.data()};
-  for (const double*& component : kernel.force) component = mirrors_.at(component);
-  device_->launch(kernel, eights);
+  device_->launch(MotionSumsKernel{mirrors_.on_device(particles.view()), mirrors_.at(particles.force_density.pointers()), particles.density(),
+                                   dt / particles.density(), motion_sums_.data()},
+                  eights);
   std::vector<MotionSums> sums(eights);
   device_->download(sums.data(), motion_sums_.data(), eights * sizeof(MotionSums));
   return exact_sum_of_eights(particles.share().ranks(), eights, [&](std::size_t eight) { return sums[eight]; });
@@ -148,8 +147,8 @@ PlasticSlots BodyPasses::plastic_slots(const PlasticForce::Evaluation& evaluatio
                      mirrors_.at(evaluation.pressure),
                      energy_.data(),
                      is_hot_.data()};
-  for (std::size_t c = 0; c < 3; ++c) slots.force[c] = mirrors_.at(particles.force_density.component(c));
-  for (std::size_t c = 0; c < 6; ++c) slots.stress[c] = mirrors_.at(evaluation.stress[c]);
+  slots.force = mirrors_.at(particles.force_density.writable_pointers());
+  slots.stress = mirrors_.at(evaluation.stress);
   return slots;
 }
 
@@ -226,12 +225,8 @@ void BodyPasses::enter_density(const Particles& particles, SumsOfEights& sums) {
 }
 
 ArraysOfBody BodyPasses::arrays(Particles& particles) const {
-  ArraysOfBody arrays{particles.position.pointers(), particles.velocity.pointers(), particles.force_density.writable_pointers(), words_.data(),
-                      words_of_slot(rows_)};
-  for (auto* vectors : {&arrays.position, &arrays.velocity})
-    for (const double*& component : *vectors) component = mirrors_.at(component);
-  for (double*& component : arrays.force) component = mirrors_.at(component);
-  return arrays;
+  const ParticlesView view = mirrors_.on_device(particles.view());
+  return {view.position, view.velocity, mirrors_.at(particles.force_density.writable_pointers()), words_.data(), words_of_slot(rows_)};
 }
 
 BondsOfSlots BodyPasses::bonds(const Family& family) const { return {words_.data(), mirrors_.at(family.offsets().data()), rows_}; }

@@ -22,7 +22,7 @@ class BodyPasses {
 
   void advance(Particles& particles, double dt, std::span<double> travel);
   void evaluate(Body& body, double dt, bool with_energy);
-  MotionSums motion_sums(Particles& particles, double dt);
+  MotionSums motion_sums(const Particles& particles, double dt);
   void renew();
   MirroredVectors& motion() { return motion_; }  ///< positions and velocities
   MirroredVectors& forces() { return forces_; }  ///< force densities

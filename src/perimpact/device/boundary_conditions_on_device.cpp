@@ -167,12 +167,13 @@ ListedArrays BoundaryPasses::listed_arrays(const ListedEights& eights, const Par
 }
 
 ListedView BoundaryPasses::view(const ListedArrays& arrays, Particles& particles) const {
-  ListedView view{{arrays.numbers.data(), arrays.lanes.data()}, {arrays.reference[0].data(), arrays.reference[1].data(), arrays.reference[2].data()},
-                  particles.position.writable_pointers(),       particles.velocity.writable_pointers(),
-                  particles.force_density.writable_pointers(),  particles.volume(0)};
-  for (auto* vectors : {&view.position, &view.velocity, &view.force})
-    for (double*& component : *vectors) component = body_->mirrors().at(component);
-  return view;
+  const auto on_device = [&](VectorArray& vectors) { return body_->mirrors().at(vectors.writable_pointers()); };
+  return {{arrays.numbers.data(), arrays.lanes.data()},
+          {arrays.reference[0].data(), arrays.reference[1].data(), arrays.reference[2].data()},
+          on_device(particles.position),
+          on_device(particles.velocity),
+          on_device(particles.force_density),
+          particles.volume(0)};
 }
 
 void BoundaryPasses::impose_displacements(Particles& particles, const fccda::Step& step, std::span<double> travel) {

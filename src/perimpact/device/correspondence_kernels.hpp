@@ -20,6 +20,7 @@ using CorrespondenceView = correspondence::BodyView<D, BondsOfSlots, corresponde
 /// B and c of one particle, with the stabilisations wan and silling.
 template <std::size_t D, class Breaker>
 struct ResponseKernel {
+  static constexpr bool needs_many_registers = true;
   CorrespondenceView<D> body;
   Breaker breaker;
   Findings findings;
@@ -36,6 +37,7 @@ struct ResponseKernel {
 /// F of one particle, with the stabilisation bond-level.
 template <std::size_t D, class Breaker>
 struct GradientKernel {
+  static constexpr bool needs_many_registers = true;
   CorrespondenceView<D> body;
   Breaker breaker;
   Findings findings;
@@ -67,6 +69,7 @@ struct NearnessKernel {
 /// F of one particle where bonds have broken, or dF/dt of one near them, as before they broke.
 template <std::size_t D>
 struct RenewGradientKernel {
+  static constexpr bool needs_many_registers = true;
   CorrespondenceView<D> body;
   FCCDA_HD void operator()(std::size_t slot) const {
     if (body.broken[slot / fccda::byte_lanes] >= correspondence::broke_here) correspondence::renew_gradient<D, double>(body.before(), slot);
@@ -74,6 +77,7 @@ struct RenewGradientKernel {
 };
 template <std::size_t D>
 struct RenewRateKernel {
+  static constexpr bool needs_many_registers = true;
   CorrespondenceView<D> body;
   FCCDA_HD void operator()(std::size_t slot) const {
     if (body.broken[slot / fccda::byte_lanes] >= correspondence::beside_changed) correspondence::renew_rate<D, double>(body.before(), slot);
@@ -82,6 +86,7 @@ struct RenewRateKernel {
 /// K⁻¹, F and dF/dt of one particle where bonds have broken.
 template <std::size_t D>
 struct FollowBrokenKernel {
+  static constexpr bool needs_many_registers = true;
   CorrespondenceView<D> body;
   FCCDA_HD void operator()(std::size_t slot) const {
     if (body.broken[slot / fccda::byte_lanes] < correspondence::broke_here) return;
@@ -94,6 +99,7 @@ struct FollowBrokenKernel {
 /// Energy [J] of one particle, or, with_rate, in the middle of the last step, of one whose energy broken bonds change.
 template <std::size_t D, bool with_rate>
 struct BondLevelEnergyKernel {
+  static constexpr bool needs_many_registers = true;
   CorrespondenceView<D> body;
   double* energy;
   FCCDA_HD void operator()(std::size_t slot) const {
@@ -105,39 +111,22 @@ struct BondLevelEnergyKernel {
 /// The passes after that for F.
 template <std::size_t D>
 struct BondLevelStressKernel {
+  static constexpr bool needs_many_registers = true;
   CorrespondenceView<D> body;
   FCCDA_HD void operator()(std::size_t slot) const { correspondence::bond_level_stress<D, double>(body, slot); }
 };
 template <std::size_t D>
 struct BondLevelReturnKernel {
+  static constexpr bool needs_many_registers = true;
   CorrespondenceView<D> body;
   FCCDA_HD void operator()(std::size_t slot) const { correspondence::bond_level_return<D, double>(body, slot); }
 };
 template <std::size_t D>
 struct CorrespondenceForceKernel {
+  static constexpr bool needs_many_registers = true;
   CorrespondenceView<D> body;
   FCCDA_HD void operator()(std::size_t slot) const { correspondence::force_of_pack<D, double>(body, slot); }
 };
-
-// They sum matrices.
-template <std::size_t D, class Breaker>
-inline constexpr bool needs_many_registers<ResponseKernel<D, Breaker>> = true;
-template <std::size_t D, class Breaker>
-inline constexpr bool needs_many_registers<GradientKernel<D, Breaker>> = true;
-template <std::size_t D>
-inline constexpr bool needs_many_registers<RenewGradientKernel<D>> = true;
-template <std::size_t D>
-inline constexpr bool needs_many_registers<RenewRateKernel<D>> = true;
-template <std::size_t D>
-inline constexpr bool needs_many_registers<FollowBrokenKernel<D>> = true;
-template <std::size_t D, bool with_rate>
-inline constexpr bool needs_many_registers<BondLevelEnergyKernel<D, with_rate>> = true;
-template <std::size_t D>
-inline constexpr bool needs_many_registers<BondLevelStressKernel<D>> = true;
-template <std::size_t D>
-inline constexpr bool needs_many_registers<BondLevelReturnKernel<D>> = true;
-template <std::size_t D>
-inline constexpr bool needs_many_registers<CorrespondenceForceKernel<D>> = true;
 
 template <std::size_t D, class... Breakers>
 using CorrespondenceKernelsWith =

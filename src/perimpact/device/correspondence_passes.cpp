@@ -1,7 +1,7 @@
 // The passes of a correspondence material: those of CorrespondenceForce, on a device.
 #include <cstddef>
 #include <cstdint>
-#include <utility>
+#include <optional>
 #include <vector>
 
 #include "perimpact/device/body_passes.hpp"
@@ -48,14 +48,10 @@ void BodyPasses::pass(CorrespondenceForce<D>& force, Body& body, double dt, bool
 
 /// As CorrespondenceForce::account_for_broken(). Of slots near broken bonds two energies travel.
 template <std::size_t D>
-void BodyPasses::account_for_broken(const CorrespondenceView<D>& of_pass, SumsOfEights& sums) {
-  CorrespondenceView<D> view = of_pass;
+void BodyPasses::account_for_broken(const CorrespondenceView<D>& view, SumsOfEights& sums) {
   const std::size_t eights = slots_ / byte_lanes;
-  for (const std::uint8_t from : {correspondence::broke_here, correspondence::changed}) {
-    device_->launch(NearnessKernel{view.known, from, known_.nearness.data(), known_.raised.data()}, eights);
-    std::swap(known_.nearness, known_.raised);
-  }
-  view.broken = known_.nearness.data();
+  device_->launch(NearnessKernel{view.known, correspondence::broke_here, view.broken, known_.raised.data()}, eights);
+  device_->launch(NearnessKernel{view.known, correspondence::changed, known_.raised.data(), view.broken}, eights);
   std::vector<std::uint8_t> nearness(eights);
   device_->download(nearness.data(), known_.nearness.data(), eights);
   std::vector<std::uint32_t> slots;
@@ -71,7 +67,7 @@ void BodyPasses::account_for_broken(const CorrespondenceView<D>& of_pass, SumsOf
   const DeviceArray<std::uint32_t> list(*device_, slots.size());
   const DeviceArray<double> gathered(*device_, 2 * slots.size());
   device_->upload(list.data(), slots.data(), slots.size() * sizeof(std::uint32_t));
-  device_->launch(GatherPairKernel{{list.data(), slots.size()}, known_.energy_before.data(), energy_.data(), gathered.data()}, slots.size());
+  device_->launch(GatherKernel<2>{{list.data(), slots.size()}, {known_.energy_before.data(), energy_.data()}, gathered.data()}, slots.size());
   std::vector<double> energies(2 * slots.size());
   device_->download(energies.data(), gathered.data(), energies.size() * sizeof(double));
   for (std::size_t k = 0; k < slots.size(); ++k) sums.fracture_energy[slots[k] / byte_lanes] += energies[k];

@@ -35,6 +35,7 @@ using OrdinaryView = ordinary_state::BodyView<BondsOfSlots, ordinary_state::Sten
 /// θ of one particle.
 template <class Breaker, class Corrections>
 struct DilatationKernel {
+  static constexpr bool needs_many_registers = Breaker::is_armed && !is_noting<Breaker>;
   OrdinaryView body;
   Breaker breaker;
   Corrections corrections;
@@ -52,6 +53,7 @@ struct DilatationKernel {
 /// Force density of one particle and, if has_energy and stores_energy, its energy.
 template <class Breaker, class Corrections, bool has_dilatation, bool has_energy>
 struct ForceKernel {
+  static constexpr bool needs_many_registers = Breaker::is_armed && !is_noting<Breaker>;
   OrdinaryView body;
   Breaker breaker;
   Corrections corrections;
@@ -67,11 +69,6 @@ struct ForceKernel {
     });
   }
 };
-
-template <class Breaker, class Corrections>
-inline constexpr bool needs_many_registers<DilatationKernel<Breaker, Corrections>> = Breaker::is_armed && !is_noting<Breaker>;
-template <class Breaker, class Corrections, bool has_dilatation, bool has_energy>
-inline constexpr bool needs_many_registers<ForceKernel<Breaker, Corrections, has_dilatation, has_energy>> = Breaker::is_armed && !is_noting<Breaker>;
 
 /// Strength of one particle under its compression, if one of its bonds is beyond the limit of unconfined particles.
 struct PressedStrengthKernel {

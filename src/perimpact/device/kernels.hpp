@@ -74,7 +74,7 @@ struct MotionSumsKernel {
 
 /// All kernels.
 using Kernel =
-    fccda::JoinedVariant<AdvanceKernel, TravelKernel, MotionSumsKernel, GatherKernel, GatherPairKernel, ScatterKernel, GatherBondsKernel, BoundaryKernels,
+    fccda::JoinedVariant<AdvanceKernel, TravelKernel, MotionSumsKernel, GatherKernel<2>, GatherKernel<3>, ScatterKernel, GatherBondsKernel, BoundaryKernels,
                          ShortRangeKernels, PressedStrengthKernel, ElasticKernels<NoCorrections>, ElasticKernels<Corrections<EnergyFactor, EnergyFactor>>,
                          ElasticKernels<Corrections<VolumeFactor, VolumeFactor>>, ElasticKernels<Corrections<FamilyFactor, PlainBonds, true>>,
                          PlasticKernels<NoCorrections>, PlasticKernels<Corrections<EnergyFactor, EnergyFactor>>,

@@ -15,31 +15,20 @@ struct SlotList {
   std::size_t count;
 };
 
-/// From arrays by slot to numbers by place in the list: all of x, then y, then z.
+/// From arrays by slot to numbers by place in the list: all of the first array, then of the next.
+template <std::size_t arrays>
 struct GatherKernel {
   SlotList list;
-  std::array<const double*, 3> vectors;
+  std::array<const double*, arrays> by_slot;
   double* numbers;
 
   FCCDA_HD void operator()(std::size_t place) const {
     const std::size_t slot = list.slots[place];
-    for (std::size_t c = 0; c < 3; ++c) numbers[c * list.count + place] = vectors[c][slot];
+    for (std::size_t c = 0; c < arrays; ++c) numbers[c * list.count + place] = by_slot[c][slot];
   }
 };
 
-/// From two arrays by slot: all of the first, then of the second.
-struct GatherPairKernel {
-  SlotList list;
-  const double *first, *second;
-  double* numbers;
-
-  FCCDA_HD void operator()(std::size_t place) const {
-    const std::size_t slot = list.slots[place];
-    numbers[place] = first[slot], numbers[list.count + place] = second[slot];
-  }
-};
-
-/// The reverse of GatherKernel.
+/// The reverse, for the components of a vector.
 struct ScatterKernel {
   SlotList list;
   const double* numbers;

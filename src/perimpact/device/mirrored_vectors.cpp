@@ -75,11 +75,8 @@ SlotList MirroredVectors::upload_list(std::span<const std::uint32_t> slots) {
 
 void MirroredVectors::gather(std::span<const std::uint32_t> slots) {
   const SlotList list = upload_list(slots);
-  for (std::size_t a = 0; a < arrays_.size(); ++a) {
-    GatherKernel kernel{list, std::as_const(*arrays_[a]).pointers(), numbers_.data() + a * 3 * slots.size()};
-    for (const double*& component : kernel.vectors) component = mirrors_->at(component);
-    device_->launch(kernel, slots.size());
-  }
+  for (std::size_t a = 0; a < arrays_.size(); ++a)
+    device_->launch(GatherKernel<3>{list, mirrors_->at(std::as_const(*arrays_[a]).pointers()), numbers_.data() + a * 3 * slots.size()}, slots.size());
   device_->download(on_the_way_.data(), numbers_.data(), on_the_way_.size() * sizeof(double));
   const double* from = on_the_way_.data();
   for (VectorArray* array : arrays_)
@@ -94,11 +91,8 @@ void MirroredVectors::scatter(std::span<const std::uint32_t> slots) {
     for (const double* component : array->pointers())
       for (const std::uint32_t slot : slots) *to++ = component[slot];
   device_->upload(numbers_.data(), on_the_way_.data(), on_the_way_.size() * sizeof(double));
-  for (std::size_t a = 0; a < arrays_.size(); ++a) {
-    ScatterKernel kernel{list, numbers_.data() + a * 3 * slots.size(), arrays_[a]->writable_pointers()};
-    for (double*& component : kernel.vectors) component = mirrors_->at(component);
-    device_->launch(kernel, slots.size());
-  }
+  for (std::size_t a = 0; a < arrays_.size(); ++a)
+    device_->launch(ScatterKernel{list, numbers_.data() + a * 3 * slots.size(), mirrors_->at(arrays_[a]->writable_pointers())}, slots.size());
 }
 
 }  // namespace perimpact::device

@@ -1,6 +1,7 @@
 /// Copies of arrays of the host in the memory of a device.
 #pragma once
 
+#include <array>
 #include <cstddef>
 #include <map>
 #include <memory>
@@ -52,6 +53,12 @@ class Mirrors {
   template <class T>
   T* at(T* host) const {
     return host ? static_cast<T*>(const_cast<void*>(find(host))) : nullptr;
+  }
+  /// The same of several.
+  template <class T, std::size_t count>
+  std::array<T*, count> at(std::array<T*, count> host) const {
+    for (T*& pointer : host) pointer = at(pointer);
+    return host;
   }
   /// The same address, for kernels that write to the copy alone.
   template <class T>

@@ -64,6 +64,7 @@ FCCDA_HD void visit_plastic_bonds(const Findings& findings, std::size_t slot, co
 /// Elastic dilatation of one particle in an eight with plastic strain, or without.
 template <bool is_plastic, Visit visit, class Corrections>
 struct PlasticDilatationKernel {
+  static constexpr bool needs_many_registers = is_plastic || visit == Visit::second;
   PlasticView body;
   Corrections corrections;
   Findings findings;
@@ -82,6 +83,7 @@ struct PlasticDilatationKernel {
 /// Force, energy and pressure of one particle, and its stress where there is a dilatation or plastic strain.
 template <bool is_plastic, bool has_dilatation, Visit visit, class Corrections>
 struct PlasticForceKernel {
+  static constexpr bool needs_many_registers = is_plastic || has_dilatation || visit == Visit::second;
   static constexpr bool with_stress = is_plastic || has_dilatation;
   PlasticView body;
   Corrections corrections;
@@ -105,6 +107,7 @@ struct PlasticForceKernel {
 /// Stress of one particle without plastic strain and dilatation, if its energy may reach the yield surface.
 template <class Corrections>
 struct HotStressKernel {
+  static constexpr bool needs_many_registers = true;
   PlasticView body;
   Corrections corrections;
   PlasticSlots slots;
@@ -119,14 +122,6 @@ struct HotStressKernel {
     slots.is_hot[slot] = 1;
   }
 };
-
-template <bool is_plastic, Visit visit, class Corrections>
-inline constexpr bool needs_many_registers<PlasticDilatationKernel<is_plastic, visit, Corrections>> = is_plastic || visit == Visit::second;
-template <bool is_plastic, bool has_dilatation, Visit visit, class Corrections>
-inline constexpr bool needs_many_registers<PlasticForceKernel<is_plastic, has_dilatation, visit, Corrections>> =
-    is_plastic || has_dilatation || visit == Visit::second;
-template <class Corrections>
-inline constexpr bool needs_many_registers<HotStressKernel<Corrections>> = true;
 
 /// The kernels with a surface correction.
 template <class Corrections, bool... is_plastic>

@@ -96,12 +96,14 @@ struct InsertBrokenPairsKernel {
 
 /// Density and pressure of a member.
 struct DensityKernel {
+  static constexpr bool needs_many_registers = true;
   ShortRangeView contact;
   FCCDA_HD void operator()(std::size_t m) const { evaluate_density<double>(contact, m); }
 };
 
 /// Adds the forces of the pairs of a member.
 struct PairForcesKernel {
+  static constexpr bool needs_many_registers = true;
   ShortRangeView contact;
   const ArraysOfBody* bodies;
   const std::uint32_t* slots;  // of the members
@@ -117,10 +119,6 @@ struct PairForcesKernel {
     for (std::size_t c = 0; c < 3; ++c) f[c][slots[m]] = f[c][slots[m]] + density[c];
   }
 };
-template <>
-inline constexpr bool needs_many_registers<DensityKernel> = true;
-template <>
-inline constexpr bool needs_many_registers<PairForcesKernel> = true;
 
 /// The plain sum over the members of one eight.
 struct SumMembersKernel {

@@ -64,9 +64,11 @@ inline constexpr bool is_noting = false;
 template <class Breaker>
 inline constexpr bool is_noting<Noting<Breaker>> = true;
 
-/// True for kernels of the second visit, in which few threads have work, and for those that sum tensors.
+/// True for kernels that say so: those of the second visit, in which few threads have work, and those that sum tensors.
 template <class Kernel>
-inline constexpr bool needs_many_registers = false;
+inline constexpr bool needs_many_registers = requires {
+  requires Kernel::needs_many_registers;
+};
 
 /// The first visit of the bonds of one slot: evaluate(noted) sets *noted if one of them is beyond its limit.
 template <class Evaluate>
