@@ -1,6 +1,7 @@
 """One timed run of the plate by one program; its output as a dict of numbers."""
 
 import csv
+import json
 import os
 import re
 import subprocess
@@ -126,6 +127,20 @@ def machine():
 def results_file(kind):
     """The file for results of this kind on this machine."""
     return FOLDER.parent / "results" / (re.sub("[^a-z0-9]+", "_", f"{kind} {machine()}".lower()).strip("_") + ".csv")
+
+
+def results_of(folder):
+    """What a run of perimpact left: the report, and its other files by name, without the checkpoint, which contains times."""
+    files = {str(path.relative_to(folder)): path.read_bytes() for path in sorted(folder.rglob("*")) if path.is_file()}
+    report = json.loads(files.pop("run.json"))
+    files.pop("checkpoint.h5", None)
+    return report, files
+
+
+def has_values(history, column):
+    """Whether a column of history.csv (bytes) with this end has other values than 0."""
+    rows = csv.DictReader(history.decode().splitlines())
+    return any(float(row[name]) != 0 for row in rows for name in row if name.endswith(column))
 
 
 def write_results(kind, rows):

@@ -10,7 +10,6 @@ deck does not do what it is to show. 2: a run fails.
 
 import argparse
 import csv
-import json
 import os
 import random
 import sys
@@ -80,16 +79,7 @@ def run(program, name, folder, out, ranks, threads):
     launcher = programs.mpirun(ranks) if ranks > 1 else []
     command = [*launcher, program, "run", deck, "--out", out, "--no-report", "--threads", str(threads), *words]
     programs.run(command, os.sched_getaffinity(0), programs.AS_ROOT | {"OMP_WAIT_POLICY": "passive"})
-    files = {str(path.relative_to(out)): path.read_bytes() for path in sorted(out.rglob("*")) if path.is_file()}
-    report = json.loads(files.pop("run.json"))
-    files.pop("checkpoint.h5", None)  # contains the times of the ranks
-    return report, files
-
-
-def does(history, column):
-    """Whether a column with this end has other values than 0."""
-    rows = list(csv.DictReader(history.decode().splitlines()))
-    return any(float(row[name]) != 0 for row in rows for name in row if name.endswith(column))
+    return programs.results_of(out)
 
 
 def main():
@@ -104,7 +94,7 @@ def main():
         with tempfile.TemporaryDirectory() as folder:
             one, wanted = run(arguments.program, name, folder, Path(folder) / "one", 1, 1)
             breaks = DECKS[name][2]
-            if not does(wanted["history.csv"], ".contacts [-]") or does(wanted["history.csv"], ".broken_bonds [-]") != breaks:
+            if not programs.has_values(wanted["history.csv"], ".contacts [-]") or programs.has_values(wanted["history.csv"], ".broken_bonds [-]") != breaks:
                 sys.exit(f"{name}: without contact, or {'no bonds' if breaks else 'bonds'} break")
             for ranks in 1, 2, 3, 4, 7, 8:
                 for threads in 1, 2:
