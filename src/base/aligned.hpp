@@ -1,5 +1,9 @@
-/// Arrays aligned to cache lines (64 bytes).
+/// Arrays aligned to cache lines (64 bytes), large ones in huge pages.
 #pragma once
+
+#if defined(__linux__)
+#include <sys/mman.h>
+#endif
 
 #include <cstddef>
 #include <new>
@@ -8,11 +12,13 @@
 
 namespace fccda {
 
-/// Allocator of std::vector whose memory begins at a cache line.
+/// Allocator of std::vector whose memory begins at a cache line. That of an array of 2 MiB or more begins at a huge page, and the operating system is asked
+/// to provide huge pages: scattered access to pages of 4 KiB waits for their addresses (with a step of rubble on ice, a tenth of its time).
 template <class T>
 struct CacheLineAllocator {
-  using value_type = T;                             ///< of the vector
-  static constexpr std::align_val_t alignment{64};  ///< [byte] size of a cache line
+  using value_type = T;                                      ///< of the vector
+  static constexpr std::size_t cache_line = 64;              ///< [byte]
+  static constexpr std::size_t huge_page = 2 * 1024 * 1024;  ///< [byte]
 
   CacheLineAllocator() = default;
   /// Allocators of all types are interchangeable.
@@ -20,11 +26,22 @@ struct CacheLineAllocator {
   CacheLineAllocator(const CacheLineAllocator<U>&) {}
 
   /// Memory for `count` values, without construction. Throws std::bad_alloc.
-  T* allocate(std::size_t count) { return static_cast<T*>(::operator new(count * sizeof(T), alignment)); }
-  /// Frees memory of allocate().
-  void deallocate(T* pointer, std::size_t) { ::operator delete(pointer, alignment); }
+  T* allocate(std::size_t count) {
+    const std::size_t bytes = count * sizeof(T);
+    void* const memory = ::operator new(bytes, alignment_of(bytes));
+#if defined(__linux__) && defined(MADV_HUGEPAGE)
+    // whole pages only, so that an array occupies no more memory than it is long; without huge pages it is as usable
+    if (bytes >= huge_page) madvise(memory, bytes / huge_page * huge_page, MADV_HUGEPAGE);
+#endif
+    return static_cast<T*>(memory);
+  }
+  /// Frees memory of allocate(), of the same count.
+  void deallocate(T* pointer, std::size_t count) { ::operator delete(pointer, alignment_of(count * sizeof(T))); }
   /// Always true: there is no state.
   friend bool operator==(const CacheLineAllocator&, const CacheLineAllocator&) { return true; }
+
+ private:
+  static constexpr std::align_val_t alignment_of(std::size_t bytes) { return std::align_val_t{bytes < huge_page ? cache_line : huge_page}; }
 };
 
 /// A vector whose data begin at a cache line.

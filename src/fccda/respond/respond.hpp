@@ -21,9 +21,12 @@
 
 #include <algorithm>
 #include <concepts>
+#include <cstddef>
 #include <span>
+#include <vector>
 
 #include "base/finite.hpp"
+#include "base/parallel.hpp"
 #include "fccda/detect/contact.hpp"
 #include "fccda/rigid_body/rigid_body.hpp"
 
@@ -42,7 +45,7 @@ struct ContactSum {
   }
 };
 
-/// Requirements on points in contact.
+/// Requirements on points in contact. All but set() are called by several threads at once.
 template <class P>
 concept PointsInContact = requires(P& points, std::size_t i, Vec3d vector) {
   { points.position_t0(i) } -> std::convertible_to<Vec3d>;
@@ -104,16 +107,30 @@ inline Vec3d point_of_application(const Contact& contact, const Vec3d& position_
   return position_t0 + (motion.t1.to_world(motion.centre) - motion.t0.to_world(motion.centre));
 }
 
+/// Minimum number of contacts for a parallel loop: fewer are resolved before other threads have woken (25 µs).
+inline constexpr std::size_t contacts_worth_threads = 64;
+
 /// Relocates the points and sets their velocities. Returns the impulse due to the body, whose centre of mass is at `centre_of_mass` at t1.
 /// Calls `report(contact, impulse)` for each contact, in order, with the impulse on the body [N s]. `motion`: of the body in this step.
+/// `contacts`: of a detector, which finds at most one for each point.
 template <PointsInContact P, class Report>
 ContactSum resolve_points(P& points, std::span<const Contact> contacts, const Motion& motion, const Vec3d& centre_of_mass, double friction, Report&& report) {
   expect_friction(friction);
+  std::vector<Resolved> all(contacts.size());
+  const auto resolve = [&](std::size_t k) {
+    const std::size_t i = contacts[k].point;
+    all[k] = resolved(contacts[k], points.position_t0(i), points.velocity(i), motion, friction);
+  };
+  if (contacts.size() < contacts_worth_threads)
+    for (std::size_t k = 0; k < contacts.size(); ++k) resolve(k);
+  else
+    parallel_for_uneven(static_cast<std::ptrdiff_t>(contacts.size()), [&](std::ptrdiff_t k) { resolve(static_cast<std::size_t>(k)); });
   ContactSum sum;
-  for (const Contact& contact : contacts) {
+  for (std::size_t k = 0; k < contacts.size(); ++k) {
+    const Contact& contact = contacts[k];
+    const Resolved& after = all[k];
     const std::size_t i = contact.point;
     const Vec3d start = points.position_t0(i), before = points.velocity(i);
-    const Resolved after = resolved(contact, start, before, motion, friction);
     const Vec3d impulse = -points.mass(i) * (after.velocity - before);
     points.set(i, after.position, after.velocity);
     sum.impulse += impulse;

@@ -63,6 +63,7 @@ class ShortRangePasses {
 void ShortRangePasses::add_forces(ShortRange& contact, std::span<const ContactingBody> bodies, double dt) {
   for (BodyPasses* body : bodies_) body->motion().to_device(), body->forces().to_device();
   NearPairs& pairs = contact.near_pairs();
+  contact.reserve_all_pairs();  // the kernel that inserts pairs reports nothing
   if (!is_here_) pairs.forget();
   if (pairs.needs_new_list(bodies, is_here_ ? moved(pairs) : NearPairs::Moved{})) {
     to_host(contact);
@@ -139,9 +140,7 @@ NearPairs::Moved ShortRangePasses::moved(const NearPairs& pairs) {
 }
 
 void ShortRangePasses::insert_broken_pairs(NearPairs& pairs, const ShortRangeView& view, std::span<const ContactingBody> bodies) {
-  std::vector<std::uint32_t> list;
-  for (std::size_t m = 0; m < pairs.members().size(); ++m)
-    if (pairs.has_new_broken_bonds(m, bodies)) list.push_back(static_cast<std::uint32_t>(m));
+  const std::vector<std::uint32_t> list = pairs.members_with_broken_bonds(bodies);
   if (list.empty()) return;
   device_->upload(list_.data(), list.data(), list.size() * sizeof(std::uint32_t));
   device_->launch(InsertBrokenPairsKernel{view, arrays_.data(), slots_.data(), list_.data()}, list.size());

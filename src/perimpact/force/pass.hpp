@@ -33,14 +33,22 @@ struct PassOptions {
   double dt = 0;          ///< [s] last step, which led to these positions at the current velocities; 0: state of equilibrium
 };
 
-/// Calls f(row, slot) for all packs of owned slots, rows in parallel. While ghosts are refreshed packs that read none come first, and the refresh is completed
-/// before the others: so messages travel during the computation.
-template <class Pack, class F>
-void for_each_pack_in_rows(const Particles& particles, const F& f) {
+/// Distributes rows of equal cost among threads.
+struct EvenRows {
+  template <class Body>
+  void operator()(std::ptrdiff_t count, const Body& body) const {
+    fccda::parallel_for(count, body);
+  }
+};
+
+/// Calls f(row, slot) for all packs of owned slots, rows in parallel, by rows(count, body). While ghosts are refreshed packs that read none come first, and the
+/// refresh is completed before the others: so messages travel during the computation.
+template <class Pack, class F, class Rows = EvenRows>
+void for_each_pack_in_rows(const Particles& particles, const F& f, const Rows& rows = {}) {
   using Ranges = std::array<Particles::Range, 2>;
   // f is called in one place: with several the compiler does not inline it, and the force pass takes a quarter longer
   const auto in_rows = [&](const std::function<Ranges(std::size_t row)>& ranges_of) {
-    fccda::parallel_for(static_cast<std::ptrdiff_t>(particles.rows()), [&](std::ptrdiff_t number) {
+    rows(static_cast<std::ptrdiff_t>(particles.rows()), [&](std::ptrdiff_t number) {
       const auto row = static_cast<std::size_t>(number);
       for (const auto& [begin, end] : ranges_of(row))
         for (std::size_t slot = begin; slot < end; slot += fccda::lanes<Pack>) f(row, slot);
@@ -58,9 +66,10 @@ void for_each_pack_in_rows(const Particles& particles, const F& f) {
 }
 
 /// Calls f(eight, slot) for all packs of a body, rows in parallel.
-template <class Pack, class F>
-void for_each_pack(const Particles& particles, const F& f) {
-  for_each_pack_in_rows<Pack>(particles, [&](std::size_t, std::size_t slot) { f(slot / fccda::byte_lanes, slot); });
+template <class Pack, class F, class Rows = EvenRows>
+void for_each_pack(const Particles& particles, const F& f, const Rows& rows = {}) {
+  for_each_pack_in_rows<Pack>(
+      particles, [&](std::size_t, std::size_t slot) { f(slot / fccda::byte_lanes, slot); }, rows);
 }
 
 /// Energy of a pack [J]: Σ of energy density times volume over its particles. `particles`: Particles or a ParticlesView.

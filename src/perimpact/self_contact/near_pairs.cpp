@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <utility>
 
 #include "base/parallel.hpp"
 
@@ -21,15 +22,6 @@ constexpr std::uint8_t holds_lost = 1;      // contains a particle that has lost
 constexpr std::uint8_t holds_exposed = 2;   // contains an exposed particle
 constexpr std::uint8_t is_near_damage = 4;  // itself or a neighbour contains one that has lost a bond
 constexpr std::uint8_t is_near = 8;         // itself or a neighbour contains one that searches for contacts
-
-/// Calls f(first, last) for blocks of [0, count).
-template <class F>
-void for_each_block(std::size_t count, const F& f) {
-  fccda::parallel_for_uneven(static_cast<std::ptrdiff_t>((count + block - 1) / block), [&](std::ptrdiff_t b) {
-    const std::size_t first = static_cast<std::size_t>(b) * block;
-    f(first, std::min(first + block, count));
-  });
-}
 
 }  // namespace
 
@@ -62,8 +54,8 @@ NearPairs::NearPairs(const ShortRangeLaw& law, std::span<const ContactingBody> b
   first_pair_.assign(1, 0);
 }
 
-bool NearPairs::needs_new_list(std::span<const ContactingBody> bodies, const Moved& moved) {
-  bool is_valid = is_known_;
+bool NearPairs::needs_new_list(std::span<const ContactingBody> bodies, const Moved& moved, bool has_room) {
+  bool is_valid = is_known_ && has_room;
   for (std::size_t b = 0; b < bodies.size(); ++b)
     for (const std::uint32_t slot : exposures_[b].update(bodies[b].family, bodies[b].broken_ends)) {
       const std::uint32_t particle = particle_at_[b][slot];
@@ -76,9 +68,26 @@ bool NearPairs::needs_new_list(std::span<const ContactingBody> bodies, const Mov
   return ranks().any(!is_valid) || has_moved;
 }
 
+std::vector<std::uint32_t> NearPairs::members_with_broken_bonds(std::span<const ContactingBody> bodies) {
+  std::vector<std::uint32_t> found;
+  if (!is_known_) return found;
+  for (std::size_t b = 0; b < bodies.size(); ++b)
+    for (std::size_t eight = 0; eight < broken_ends_[b].size(); ++eight) {
+      const std::uint32_t ends = bodies[b].broken_ends[eight];
+      if (std::exchange(broken_ends_[b][eight], ends) == ends) continue;
+      const std::size_t end = std::min((eight + 1) * fccda::byte_lanes, particle_at_[b].size());
+      for (std::size_t slot = eight * fccda::byte_lanes; slot < end; ++slot) {
+        const std::uint32_t particle = particle_at_[b][slot];
+        if (particle == none || particles_[particle].is_foreign || member_of_[particle] == none) continue;
+        if (const std::uint32_t member = member_of_[particle]; unbonded_counts_[member] < pair_counts_[member]) found.push_back(member);
+      }
+    }
+  return found;
+}
+
 NearPairs::Moved NearPairs::moved(std::span<const ContactingBody> bodies) const {
   std::vector<Moved> of_block((particles_.size() + block - 1) / block);
-  for_each_block(particles_.size(), [&](std::size_t first, std::size_t last) {
+  fccda::parallel_for_blocks(particles_.size(), block, [&](std::size_t first, std::size_t last) {
     Moved moved;
     for (std::size_t p = first; p < last; ++p) {
       if (particles_[p].is_foreign) continue;
@@ -179,7 +188,7 @@ void NearPairs::make(std::span<const ContactingBody> bodies) {
   ++times_made_;
   is_known_ = true;
   find_foreign(bodies);
-  for_each_block(particles_.size(), [&](std::size_t first, std::size_t last) {
+  fccda::parallel_for_blocks(particles_.size(), block, [&](std::size_t first, std::size_t last) {
     for (std::size_t p = first; p < last; ++p)
       if (!particles_[p].is_foreign) reference_positions_.set(p, bodies[particles_[p].body].particles.position.at(particles_[p].slot));
   });
@@ -192,7 +201,7 @@ void NearPairs::make(std::span<const ContactingBody> bodies) {
     std::array<std::uint32_t, block> counts{};
   };
   std::vector<Part> parts((particles_.size() + block - 1) / block);
-  for_each_block(particles_.size(), [&](std::size_t first, std::size_t last) {
+  fccda::parallel_for_blocks(particles_.size(), block, [&](std::size_t first, std::size_t last) {
     Part& part = parts[first / block];
     std::vector<Found> found;
     for (std::size_t p = first; p < last; ++p) {
@@ -209,6 +218,7 @@ void NearPairs::make(std::span<const ContactingBody> bodies) {
   first_pair_.assign(1, 0);
   pair_counts_.clear();
   broken_ends_.clear();
+  for (const ContactingBody& body : bodies) broken_ends_.emplace_back(body.broken_ends.begin(), body.broken_ends.end());
   exposed_.clear();
   std::vector<std::uint8_t> is_used(foreign_.all().size(), 0);
   if (!is_used.empty())
@@ -227,7 +237,6 @@ void NearPairs::make(std::span<const ContactingBody> bodies) {
     members_.push_back(particle);
     pair_counts_.push_back(count);
     exposed_.push_back(is_exposed(particle));
-    broken_ends_.push_back(particle.is_foreign ? 0 : bodies[particle.body].broken_ends[particle.slot / fccda::byte_lanes]);
     first_pair_.push_back(first_pair_.back() + (count + fccda::byte_lanes - 1) / fccda::byte_lanes * fccda::byte_lanes);
   }
   resize_to(others_, first_pair_.back());
@@ -258,7 +267,7 @@ void NearPairs::make(std::span<const ContactingBody> bodies) {
 void NearPairs::mark_cells() {
   cell_marks_.assign(cells_.size(), 0);
   const auto for_each_cell = [&](const auto& f) {
-    for_each_block(cells_.size(), [&](std::size_t first, std::size_t last) {
+    fccda::parallel_for_blocks(cells_.size(), block, [&](std::size_t first, std::size_t last) {
       for (std::size_t cell = first; cell < last; ++cell) f(cell);
     });
   };

@@ -75,9 +75,10 @@ class NearPairs {
 
   NearPairs(const ShortRangeLaw& law, std::span<const ContactingBody> bodies);
 
-  /// Returns whether the list is out of date; to be called once per step. make() rebuilds it. Both are collective.
-  bool needs_new_list(std::span<const ContactingBody> bodies) { return needs_new_list(bodies, moved(bodies)); }
-  bool needs_new_list(std::span<const ContactingBody> bodies, const Moved& moved);
+  /// Returns whether the list is out of date on any rank; to be called once per step. `has_room`: for what the owner of this list stores of its pairs.
+  /// make() rebuilds it. Both are collective.
+  bool needs_new_list(std::span<const ContactingBody> bodies, bool has_room) { return needs_new_list(bodies, moved(bodies), has_room); }
+  bool needs_new_list(std::span<const ContactingBody> bodies, const Moved& moved, bool has_room = true);
   void make(std::span<const ContactingBody> bodies);
   /// Receives the state of foreign members from their owners; to be called in each step, after make(). Collective.
   void refresh_foreign(std::span<const ContactingBody> bodies);
@@ -87,13 +88,9 @@ class NearPairs {
   /// Forces a rebuild in the next step.
   void forget() { is_known_ = false; }
 
-  /// True if bonds of its eight have broken since the last call, so that some of its pairs may no longer be bonded (insert_broken_pairs()). To be called in
-  /// each step, for each member of this rank.
-  bool has_new_broken_bonds(std::size_t member, std::span<const ContactingBody> bodies) {
-    if (unbonded_counts_[member] == pair_counts_[member]) return false;
-    const std::uint32_t ends = bodies[members_[member].body].broken_ends[members_[member].slot / fccda::byte_lanes];
-    return std::exchange(broken_ends_[member], ends) != ends;
-  }
+  /// Members of this rank in eights that have lost bonds since the last call or list: some of their pairs may no longer be bonded (insert_broken_pairs()).
+  /// None if the list must be built anew anyway.
+  std::vector<std::uint32_t> members_with_broken_bonds(std::span<const ContactingBody> bodies);
 
   std::span<const Member> members() const { return members_; }  ///< by body and slot
   Pairs pairs_of(std::size_t member) const { return {unbonded_counts_[member], others_.data() + first_pair_[member]}; }
@@ -163,11 +160,11 @@ class NearPairs {
   std::vector<Member> members_;
   std::vector<std::size_t> first_pair_;
   std::vector<std::uint32_t> pair_counts_, unbonded_counts_;  // of each member; pairs without an intact bond come first
-  std::vector<std::uint32_t> broken_ends_;                    // of each member's eight, when its bonds were last examined
+  std::vector<std::vector<std::uint32_t>> broken_ends_;       // of each eight of a body, when bonds of its members were last examined
   std::vector<std::uint8_t> exposed_;                         // of each member
   std::size_t times_exposed_ = 0;
   fccda::AlignedVector<std::int32_t> others_;  // packs of eight are read
-  std::vector<std::uint32_t> bonds_;
+  fccda::AlignedVector<std::uint32_t> bonds_;
   bool is_known_ = false;
   std::size_t times_made_ = 0;
 };

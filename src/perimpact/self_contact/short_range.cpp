@@ -1,6 +1,7 @@
 #include "perimpact/self_contact/short_range.hpp"
 
 #include <algorithm>
+#include <atomic>
 #include <cmath>
 #include <utility>
 
@@ -24,6 +25,14 @@ std::vector<std::array<double, 2>> stiffness_of(std::span<const ContactingBody> 
     all.push_back({bodies[b].stiffness, bodies.size() > 1 ? softest : bodies[b].stiffness});
   }
   return all;
+}
+
+/// Begins to load the first two cache lines of an array that is read soon.
+template <class T>
+void prefetch_lines(const T* array, std::size_t count) {
+  constexpr std::size_t line = 64 / sizeof(T);
+  if (count > 0) __builtin_prefetch(array);
+  if (count > line) __builtin_prefetch(array + line);
 }
 
 }  // namespace
@@ -78,13 +87,15 @@ ShortRangeView ShortRange::view(double dt) {
           compaction_of_.data(),
           near_count_.data(),
           may_slip_.data(),
+          first_near_.data(),
           near_.data(),
           law_.friction > 0 ? std::array{slip_[0].data(), slip_[1].data(), slip_[2].data()} : std::array<double*, 3>{},
           is_near_.data()};
 }
 
 void ShortRange::add_forces(std::span<const ContactingBody> bodies, double dt) {
-  if (near_pairs_.needs_new_list(bodies)) make_list(bodies);
+  const bool has_room = insert_broken_pairs(bodies);
+  if (near_pairs_.needs_new_list(bodies, has_room)) make_list(bodies);
   near_pairs_.refresh_foreign(bodies);
   if (is_scalar_)
     evaluate<double>(bodies, dt);
@@ -94,6 +105,22 @@ void ShortRange::add_forces(std::span<const ContactingBody> bodies, double dt) {
   const auto members = near_pairs_.members();
   const auto eight_of = [&](std::size_t m) { return members[m].id / byte_lanes; };
   enter(exact_sum_over_eights(near_pairs_.ranks(), members.size(), eight_of, [&](std::size_t m) { return pair_sums_[m]; }));
+}
+
+/// Returns whether there was room for all of them.
+bool ShortRange::insert_broken_pairs(std::span<const ContactingBody> bodies) {
+  const std::vector<std::uint32_t> list = near_pairs_.members_with_broken_bonds(bodies);
+  if (list.empty()) return true;
+  const ShortRangeView view = this->view(0);
+  const auto members = near_pairs_.members();
+  std::atomic<bool> has_room = true;
+  fccda::parallel_for_uneven(static_cast<std::ptrdiff_t>(list.size()), [&](std::ptrdiff_t place) {
+    const std::size_t m = list[static_cast<std::size_t>(place)], slot = members[m].slot;
+    const std::uint8_t* bits = bodies[members[m].body].family.bytes(slot / byte_lanes);
+    if (!perimpact::insert_broken_pairs(view, m, [&](std::size_t row) { return ((bits[row] >> (slot % byte_lanes)) & 1u) != 0; }))
+      has_room.store(false, std::memory_order_relaxed);
+  });
+  return has_room;
 }
 
 void ShortRange::enter(const PairSum& sum) {
@@ -106,15 +133,8 @@ template <class Pack>
 void ShortRange::evaluate(std::span<const ContactingBody> bodies, double dt) {
   const ShortRangeView view = this->view(dt);
   const auto members = near_pairs_.members();
-  const auto for_each_member = [&](const auto& f) {
-    fccda::parallel_for(static_cast<std::ptrdiff_t>(members.size()), [&](std::ptrdiff_t m) { f(static_cast<std::size_t>(m)); });
-  };
-  const auto for_each_own = [&](const auto& f) {
-    for_each_member([&](std::size_t m) {
-      if (!members[m].is_foreign) f(m);
-    });
-  };
-  for_each_member([&](std::size_t m) {
+  fccda::parallel_for(static_cast<std::ptrdiff_t>(members.size()), [&](std::ptrdiff_t member) {
+    const auto m = static_cast<std::size_t>(member);
     if (members[m].is_foreign) {
       const NearPairs::ForeignState& state = near_pairs_.foreign_state(members[m]);
       places_[m].position = state.position, motions_[m].velocity = state.velocity;
@@ -123,13 +143,19 @@ void ShortRange::evaluate(std::span<const ContactingBody> bodies, double dt) {
       places_[m].position = particles.position.at(members[m].slot), motions_[m].velocity = particles.velocity.at(members[m].slot);
     }
   });
-  for_each_own([&](std::size_t m) {
-    if (near_pairs_.has_new_broken_bonds(m, bodies)) {
-      const std::uint8_t* bits = bodies[members[m].body].family.bytes(members[m].slot / byte_lanes);
-      insert_broken_pairs(view, m, [&](std::size_t row) { return ((bits[row] >> (members[m].slot % byte_lanes)) & 1u) != 0; });
-    }
-    evaluate_density<Pack>(view, m);
-  });
+  // Of very uneven cost, since most members have no pair without a bond, and foreign ones have none at all. What a member reads lies apart from that of the
+  // member before, so that the processor does not foresee it.
+  constexpr std::size_t block = 32, ahead = 6;
+  const auto for_each_member = [&](const auto& prefetch, const auto& f) {
+    fccda::parallel_for_blocks(members.size(), block, [&](std::size_t first, std::size_t last) {
+      for (std::size_t m = first; m < last; ++m) {
+        if (m + ahead < members.size()) prefetch(m + ahead);
+        f(m);
+      }
+    });
+  };
+  const auto prefetch_others = [&](std::size_t m) { prefetch_lines(view.pairs.others + view.pairs.first_pair[m], view.pairs.unbonded_counts[m]); };
+  for_each_member(prefetch_others, [&](std::size_t m) { evaluate_density<Pack>(view, m); });
   near_pairs_.refresh_members<std::array<double, 2>>(
       [&](std::size_t m) {
         return std::array{pressure_[0][m], pressure_[1][m]};
@@ -137,7 +163,12 @@ void ShortRange::evaluate(std::span<const ContactingBody> bodies, double dt) {
       [&](std::size_t m, const std::array<double, 2>& pressures) {
         for (std::size_t whose = 0; whose < 2; ++whose) pressure_[whose][m] = pressures[whose];
       });
-  for_each_own([&](std::size_t m) {
+  const auto prefetch_slips = [&](std::size_t m) {
+    if (view.slides())
+      for (const double* component : view.slip) prefetch_lines(component + view.first_near[m], view.near_count[m]);
+  };
+  for_each_member(prefetch_slips, [&](std::size_t m) {
+    if (view.pairs.unbonded_counts[m] == 0) return;  // its sum is zero since the list was built
     PairSum sum;
     const Vec3d force = add_pairs_of<Pack>(view, m, sum);
     pair_sums_[m] = sum;
@@ -177,7 +208,7 @@ void ShortRange::keep_pairs() {
   const auto members = near_pairs_.members();
   for (std::size_t m = 0; m < members.size(); ++m) {
     const NearPairs::Pairs pairs = near_pairs_.pairs_of(m);
-    std::size_t next = near_pairs_.first_pair(m);  // in range
+    std::size_t next = first_near_[m];  // in range
     for_each_near(m, [&](std::size_t n) {
       const std::size_t pair = next++;
       const std::uint64_t id = members[m].id, other = members[static_cast<std::size_t>(pairs.others[n])].id;
@@ -227,13 +258,21 @@ void ShortRange::derive_constants() {
   pair_sums_.assign(members.size(), {});
   near_count_.assign(members.size(), 0);
   may_slip_.assign(members.size(), law_.friction > 0);
-  const std::size_t count = near_pairs_.pair_count();
-  resize_to(near_, count + byte_lanes);
-  std::fill(near_.begin(), near_.end(), 0);  // packs of eight are read
-  is_near_.assign(count / byte_lanes, 0);
+  is_near_.assign(near_pairs_.pair_count() / byte_lanes, 0);
+  // Most pairs are bonded, and remain so until the next list. Room for all of them would keep what the passes read far apart.
+  constexpr std::size_t spare = 8;
+  const PairsView pairs = near_pairs_.view();
+  first_near_.assign(1, 0);
+  for (std::size_t m = 0; m < members.size(); ++m) {
+    const std::size_t all = pairs.counts[m], room = reserves_all_pairs_ ? all : std::min<std::size_t>(pairs.unbonded_counts[m] + spare, all);
+    first_near_.push_back(first_near_.back() + (room + byte_lanes - 1) / byte_lanes * byte_lanes);
+  }
+  const std::size_t count = first_near_.back() + byte_lanes;  // packs of eight are read
+  resize_to(near_, count);
+  std::fill(near_.begin(), near_.end(), 0);
   if (law_.friction > 0)
     for (fccda::AlignedVector<double>& component : slip_) {
-      resize_to(component, count + byte_lanes);
+      resize_to(component, count);
       std::fill(component.begin(), component.end(), 0.0);
     }
 }
@@ -248,9 +287,9 @@ void ShortRange::restore_pairs() {
     const std::int32_t* end = pairs.others + pairs.count;
     const std::int32_t* found = std::lower_bound(pairs.others, end, static_cast<std::int32_t>(*other));
     if (found == end || *found != static_cast<std::int32_t>(*other)) return;
-    const std::size_t pair = near_pairs_.first_pair(*m) + static_cast<std::size_t>(found - pairs.others);
+    const auto number = static_cast<std::size_t>(found - pairs.others), pair = near_pairs_.first_pair(*m) + number;
     is_near_[pair / byte_lanes] |= static_cast<std::uint8_t>(1u << pair % byte_lanes);
-    if (view.slides()) view.set_slip(pair, slip);
+    if (view.slides()) view.set_slip(first_near_[*m] + number, slip);
   };
   ListsByRank<SentPair> sent;
   for (std::size_t pair = 0; pair < kept_.pairs(); ++pair) {
@@ -260,10 +299,10 @@ void ShortRange::restore_pairs() {
   }
   for (const auto& [from, pairs] : exchange_lists(near_pairs_.ranks(), sent))
     for (const SentPair& pair : pairs) restore(pair.ends[1], pair.ends[0], -pair.slip);
-  // slips lie in the places of their pairs in the list, and move to those of the pairs in range
+  // slips lie in the places of their pairs among those without a bond, and move to those of the pairs in range
   fccda::parallel_for(static_cast<std::ptrdiff_t>(near_count_.size()), [&](std::ptrdiff_t member) {
     const auto m = static_cast<std::size_t>(member);
-    const std::size_t first = near_pairs_.first_pair(m);
+    const std::size_t first = first_near_[m];
     for_each_near(m, [&](std::size_t number) {
       const std::size_t to = first + near_count_[m]++;
       if (view.slides()) view.set_slip(to, view.slip_of(first + number));

@@ -41,7 +41,8 @@ class ShortRange {
 
   // for a device, which evaluates what add_forces() does between new lists (device/short_range_on_device.hpp)
   NearPairs& near_pairs() { return near_pairs_; }
-  void make_list(std::span<const ContactingBody> bodies);  ///< a new list
+  void make_list(std::span<const ContactingBody> bodies);   ///< a new list
+  void reserve_all_pairs() { reserves_all_pairs_ = true; }  ///< of further lists, so that insert_broken_pairs() never lacks room
   ShortRangeView view(double dt);
   void enter(const PairSum& sum);  ///< of all members, in this step
   /// Calls visit(span) for the arrays of view(), which are renewed by make_list().
@@ -53,7 +54,7 @@ class ShortRange {
       for (auto& numbers : *two) visit(std::span(numbers));
     visit(std::span(largest_overlap_)), visit(std::span(energy_of_)), visit(std::span(compaction_of_));
     visit_state_of_members(visit);
-    visit(std::span(near_));
+    visit(std::span(first_near_)), visit(std::span(near_));
   }
   /// The same for those that the steps since the last list have changed and a new list or the state needs.
   template <class Visit>
@@ -112,6 +113,7 @@ class ShortRange {
     Vec3d slip;
   };
 
+  bool insert_broken_pairs(std::span<const ContactingBody> bodies);
   template <class Pack>
   void evaluate(std::span<const ContactingBody> bodies, double dt);
   template <class Visit>
@@ -131,7 +133,7 @@ class ShortRange {
 
   ShortRangeLaw law_;
   Face face_;
-  bool is_plane_, is_scalar_ = false;
+  bool is_plane_, is_scalar_ = false, reserves_all_pairs_ = false;
   NearPairs near_pairs_;
   std::vector<std::array<double, 2>> stiffness_;  // [N/m⁷] of each body, for contact with itself and with others
   std::vector<double> yield_pressure_;            // [Pa] of each body
@@ -151,9 +153,10 @@ class ShortRange {
   std::vector<std::uint8_t> may_slip_;
 
   // of their pairs
+  std::vector<std::size_t> first_near_;
   fccda::AlignedVector<std::int32_t> near_;
   std::array<fccda::AlignedVector<double>, 3> slip_;  // with friction only, 0 out of contact
-  std::vector<std::uint8_t> is_near_;
+  fccda::AlignedVector<std::uint8_t> is_near_;
 
   double energy_ = 0;
   std::size_t in_contact_now_ = 0;

@@ -80,10 +80,13 @@ struct ShortRangeView {
   std::uint32_t* near_count;
   std::uint8_t* may_slip;  // a tangential spring may be extended: with friction, after contact in the last evaluation
 
-  // of their pairs, from pairs.first_pair on
-  std::int32_t* near;           // the other members of the pairs in range, contiguous
-  std::array<double*, 3> slip;  // [m] extensions of their tangential springs, in the same places; null without friction
-  std::uint8_t* is_near;        // one bit per pair, of the last evaluation
+  // of their pairs in range, without gaps, from first_near of each member on. There is room for its pairs without a bond: all but insert_broken_pairs() rely
+  // on it.
+  const std::size_t* first_near;
+  std::int32_t* near;           // the other members
+  std::array<double*, 3> slip;  // [m] extensions of their tangential springs; null without friction
+  // of all pairs, from pairs.first_pair on
+  std::uint8_t* is_near;  // one bit per pair, of the last evaluation
 
   template <class Visit>
   void visit_pointers(const Visit& visit) {
@@ -92,7 +95,8 @@ struct ShortRangeView {
     for (auto* two : {&spring, &density_stiffness})
       for (const double*& pointer : *two) visit(pointer);
     for (double*& pointer : pressure) visit(pointer);
-    visit(largest_overlap), visit(threshold), visit(latest_pressure), visit(energy), visit(compaction), visit(near_count), visit(may_slip), visit(near);
+    visit(largest_overlap), visit(threshold), visit(latest_pressure), visit(energy), visit(compaction), visit(near_count), visit(may_slip);
+    visit(first_near), visit(near);
     for (double*& component : slip) visit(component);
     visit(is_near);
   }
@@ -114,11 +118,12 @@ struct ShortRangeView {
   }
 };
 
-/// Moves the pairs of a member whose bonds have broken to those without a bond. `is_intact(row)`: the bond of a row of its family.
+/// Moves the pairs of a member whose bonds have broken to those without a bond. Returns whether there was room for all of them; if not, a new list is needed.
+/// `is_intact(row)`: the bond of a row of its family.
 template <class IsIntact>
-FCCDA_HD void insert_broken_pairs(const ShortRangeView& view, std::size_t m, const IsIntact& is_intact) {
+FCCDA_HD bool insert_broken_pairs(const ShortRangeView& view, std::size_t m, const IsIntact& is_intact) {
   const PairsView& pairs = view.pairs;
-  const std::size_t first = pairs.first_pair[m], end = first + pairs.counts[m];
+  const std::size_t first = pairs.first_pair[m], end = first + pairs.counts[m], room = view.first_near[m + 1] - view.first_near[m];
   std::uint32_t& unbonded = pairs.unbonded_counts[m];
   const auto is_near = [&](std::size_t pair) { return (view.is_near[pair / fccda::byte_lanes] >> (pair % fccda::byte_lanes)) & 1u; };
   const auto set_near = [&](std::size_t pair, unsigned near) {
@@ -127,6 +132,7 @@ FCCDA_HD void insert_broken_pairs(const ShortRangeView& view, std::size_t m, con
   };
   for (std::size_t pair = first + unbonded; pair < end; ++pair) {
     if (is_intact(pairs.bonds[pair])) continue;
+    if (unbonded == room) return false;
     const std::int32_t other = pairs.others[pair];
     // in the order of members; the bonded pairs before it move up by one as well
     std::size_t at = pair;
@@ -139,6 +145,7 @@ FCCDA_HD void insert_broken_pairs(const ShortRangeView& view, std::size_t m, con
     set_near(at, 0);
     ++unbonded;
   }
+  return true;
 }
 
 /// f(lane) for each set bit of the lanes of a pack. Of one lane its number is a constant, so that on a device arrays of lanes are registers.
@@ -164,18 +171,18 @@ FCCDA_HD unsigned near_of_pack(const PlaceOfMember* places, const PairScale& sca
   return near;
 }
 
-/// The slips of a member's pairs in range are stored without gaps, from its first pair on. Moves them as pairs enter and leave: of eight pairs, in ascending
-/// order, bits of those in range `before` and `now`. `count`: slips stored; `at`: pairs in range now, of the eights before. Returns the slips stored then.
-FCCDA_HD inline std::size_t move_slips(const ShortRangeView& view, std::size_t first_pair, std::size_t count, unsigned before, unsigned now, std::size_t at) {
+/// Moves the slips of a member as pairs enter and leave: of eight pairs, in ascending order, bits of those in range `before` and `now`. `first`: place of the
+/// first slip of the member; `count`: slips stored; `at`: pairs in range now, of the eights before. Returns the slips stored then.
+FCCDA_HD inline std::size_t move_slips(const ShortRangeView& view, std::size_t first, std::size_t count, unsigned before, unsigned now, std::size_t at) {
   if (before == now) return count;
   for (std::size_t lane = 0; lane < fccda::byte_lanes; ++lane) {
     const bool was = (before >> lane) & 1u, is = (now >> lane) & 1u;
     if (was && !is) {
       --count;
-      for (std::size_t n = first_pair + at; n < first_pair + count; ++n) view.set_slip(n, view.slip_of(n + 1));
+      for (std::size_t n = first + at; n < first + count; ++n) view.set_slip(n, view.slip_of(n + 1));
     } else if (is && !was) {
-      for (std::size_t n = first_pair + count; n > first_pair + at; --n) view.set_slip(n, view.slip_of(n - 1));
-      view.set_slip(first_pair + at, {});
+      for (std::size_t n = first + count; n > first + at; --n) view.set_slip(n, view.slip_of(n - 1));
+      view.set_slip(first + at, {});
       ++count;
     }
     at += is;
@@ -188,12 +195,15 @@ template <class Pack>
 FCCDA_HD void evaluate_density(const ShortRangeView& view, std::size_t m) {
   using namespace fccda;
   const std::size_t first_pair = view.pairs.first_pair[m], pair_count = view.pairs.unbonded_counts[m];
+  // without a pair now nor in the evaluation before, all that is written below is written already
+  if (pair_count == 0 && view.threshold[m] == view.face.density && !(view.yields && view.latest_pressure[m] > 0)) return;
   // copies, which stay in registers while bytes are written
   const PairScale scale = view.scale;
   const PlaceOfMember *const places = view.places, place = places[m];
   const std::int32_t* const pairs = view.pairs.others + first_pair;
   const std::uint8_t* const is_exposed = view.pairs.is_exposed;
-  std::int32_t* const near_others = view.near + first_pair;
+  const std::size_t first_near = view.first_near[m];
+  std::int32_t* const near_others = view.near + first_near;
   std::uint8_t* const is_near = view.is_near + first_pair / byte_lanes;
   const bool exposed = is_exposed[m] != 0, slides = view.slides();
   const std::uint32_t body = view.body[m];
@@ -206,7 +216,7 @@ FCCDA_HD void evaluate_density(const ShortRangeView& view, std::size_t m) {
     const unsigned all = pair_count - first < byte_lanes ? (1u << (pair_count - first)) - 1u : 0xffu, before = is_near[first / byte_lanes];
     const std::uint32_t near_before = count;
     unsigned now = 0;
-    for (std::size_t lane = 0; lane < byte_lanes; lane += lanes<Pack>) {
+    for (std::size_t lane = 0; lane < byte_lanes && (all >> lane) != 0; lane += lanes<Pack>) {
       const std::int32_t* those = pairs + first + lane;
       alignas(64) std::array<double, lanes<Pack>> densities;
       unsigned near = (all >> lane) & near_of_pack<Pack>(places, scale, place, those, densities.data());
@@ -232,7 +242,7 @@ FCCDA_HD void evaluate_density(const ShortRangeView& view, std::size_t m) {
         if (squared_norm(earlier) < reach * reach) fresh += densities[n];
       });
     }
-    if (slides) slips = move_slips(view, first_pair, slips, before, now, near_before);
+    if (slides) slips = move_slips(view, first_near, slips, before, now, near_before);
     is_near[first / byte_lanes] = static_cast<std::uint8_t>(now);
   }
   view.near_count[m] = count;
@@ -295,8 +305,8 @@ template <class Pack>
 FCCDA_HD void add_pairs(const ShortRangeView& view, std::size_t m, std::size_t first, std::size_t last, std::size_t whose, Vec3d& force, PairSum& got) {
   using namespace fccda;
   if (first == last) return;
-  const std::size_t first_pair = view.pairs.first_pair[m];
-  const std::int32_t* near = view.near + first_pair;
+  const std::size_t first_near = view.first_near[m];
+  const std::int32_t* near = view.near + first_near;
   const Vec3d place = view.places[m].position, speed = view.motions[m].velocity;
   const double *const pressure = view.of(view.pressure, whose), *const spring_of = view.of(view.spring, whose);
   const Pack mine(pressure[m]), size(view.places[m].size), spring_constant(spring_of[m]), volume(view.motions[m].volume);
@@ -305,7 +315,7 @@ FCCDA_HD void add_pairs(const ShortRangeView& view, std::size_t m, std::size_t f
   Pack stored(0.0), rubbed(0.0);
   for (; first < last; first += lanes<Pack>) {
     const std::int32_t* those = near + first;
-    const std::size_t pair = first_pair + first;  // as slips are numbered
+    const std::size_t pair = first_near + first;
     const unsigned all = last - first < lanes<Pack> ? (1u << (last - first)) - 1u : (1u << lanes<Pack>)-1u;
     const Pack its = gather<Pack>(pressure, those);
     unsigned pushes = all & bits_where_greater(mine + its, Pack(0.0));
@@ -393,7 +403,7 @@ FCCDA_HD Vec3d add_pairs_of(const ShortRangeView& view, std::size_t m, PairSum& 
   got.energy = view.energy[m];
   got.compaction = view.compaction[m];
   // in the order of body and slot, those of the member's own body are contiguous
-  const std::int32_t* near = view.near + view.pairs.first_pair[m];
+  const std::int32_t* near = view.near + view.first_near[m];
   const std::uint32_t body = view.body[m];
   const auto before = [&](std::size_t member) {
     return static_cast<std::size_t>(std::lower_bound(near, near + count, static_cast<std::int32_t>(member)) - near);

@@ -193,3 +193,25 @@ TEST_CASE("respond: a point that sticks to a moving, turning wall takes its velo
   respond(points, detect(detector, points, motion, body.travel_bound(motion, 0.7)), motion, body, 100);
   CHECK(norm(points.v[0] - Vec3d{2 - 0.3, 1.5, 0}) < 3e-3);  // v + ω × x, but for the turn within the step, ω dt = 3e-4 of 3 m/s
 }
+
+TEST_CASE("respond: contacts that threads resolve together have the states and impulses of each resolved alone, bitwise") {
+  constexpr double dt = 0.2, friction = 0.4;
+  const auto surface = fixtures::surface_of(fixtures::hull());
+  Swept detector(surface, Unbounded{}, 0.01);
+  const RigidBody body({.mass = 30, .centre_of_mass = {0.05, 0, 0}, .inertia = Mat3::diagonal({2, 4, 5})}, Pose(), {0.3, 0.1, 0}, {0.5, -0.3, 1}, all_free);
+  RigidBody moving = body;
+  const Motion motion = moving.advance(dt);
+  fixtures::TestPoints together = cloud(3000, 0.75, 0.85, 2, 23);
+  predict(together, dt);
+  fixtures::TestPoints alone = together;
+  const double radius = surface->radius_about(body.properties().centre_of_mass);
+  const std::vector<Contact> contacts = detect(detector, together, motion, body.travel_bound(motion, radius));
+  REQUIRE(contacts.size() > 10 * contacts_worth_threads);
+  std::vector<Vec3d> impulses, expected;
+  resolve_points(together, contacts, motion, {}, friction, [&](const Contact&, const Vec3d& impulse) { impulses.push_back(impulse); });
+  for (std::size_t k = 0; k < contacts.size(); ++k)
+    resolve_points(alone, std::span(contacts).subspan(k, 1), motion, {}, friction, [&](const Contact&, const Vec3d& impulse) { expected.push_back(impulse); });
+  CHECK(impulses == expected);
+  CHECK(together.x1 == alone.x1);
+  CHECK(together.v == alone.v);
+}

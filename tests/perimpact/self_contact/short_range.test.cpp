@@ -274,6 +274,49 @@ TEST_CASE("short range: bond failure, motion and compaction take effect in the s
   }
 }
 
+TEST_CASE("short range: bonds that break need a new list where it has no room for their pairs, and none where it has; tangential springs outlast both") {
+  constexpr double dt = 1e-6;
+  Pile pile{.law = {.friction = 0.3}, .bodies = {}};
+  pile.bodies.push_back(fixtures::body({.size = {0.011, 0.009, 0.009}, .spacing = spacing}));
+  Body& body = pile.bodies[0];
+  fixtures::deform(body, [&](const Vec3d& X) { return Vec3d{0.8 * X.x, X.y, X.z}; });
+  std::mt19937_64 random(19);
+  std::uniform_real_distribution<double> speed(-20, 20);  // 0.02 of a spacing a step
+  for (const std::uint32_t slot : body.particles.slot_of()) body.particles.velocity.set(slot, {speed(random), speed(random), speed(random)});
+  const auto bodies = pile.contacts();
+  ShortRange contact(pile.law, bodies);
+  AllPairs expected;
+  const Lattice& lattice = *body.particles.lattice();
+  const std::size_t where = lattice.slot(5, 4, 4);
+  const auto cut = [&](const auto& loses_bond_to) {
+    body.family.cut([&](std::size_t i, std::size_t j) { return (i == where && loses_bond_to(j)) || (j == where && loses_bond_to(i)); });
+    body.internal.visit_state("", [&](const std::string&, auto values) {
+      if constexpr (std::is_same_v<decltype(values), std::span<std::uint32_t>>)
+        for (std::uint32_t& end : values) ++end;  // as the bond pass counts them
+    });
+  };
+  const auto new_lists = [&] {
+    const std::size_t before = contact.near_pairs().times_made();
+    pile.clear_forces();
+    contact.add_forces(bodies, dt), expected.evaluate(pile, dt);
+    CHECK(difference(pile, expected) <= 1e-10);
+    if (expected.friction_dissipation > 0) CHECK(contact.friction_dissipation() == fixtures::relative(expected.friction_dissipation, 1e-9));
+    drift(pile, dt);
+    return contact.near_pairs().times_made() - before;
+  };
+  cut([&](std::size_t other) { return other == lattice.slot(6, 4, 4); });
+  CHECK(new_lists() == 1);  // the first
+  cut([&](std::size_t other) { return other == lattice.slot(4, 4, 4) || other == lattice.slot(5, 3, 4) || other == lattice.slot(5, 4, 5); });
+  CHECK(new_lists() == 0);
+  CHECK(new_lists() == 0);
+  CHECK(contact.contacts() > 0);
+  CHECK(expected.friction_dissipation > 0);
+  const auto is_near = [&](std::size_t other) { return norm(lattice.centre(other) - lattice.centre(where)) < 2.3 * spacing; };
+  cut(is_near);  // 56 bonds, to particles next to those that had lost one before
+  CHECK(new_lists() == 1);
+  CHECK(new_lists() == 0);
+}
+
 TEST_CASE("short range: bond failure in place causes no repulsion, and contact acts from that distance on, from the step of failure") {
   for (const double squeeze : {1.0, 0.7}) {
     CAPTURE(squeeze);

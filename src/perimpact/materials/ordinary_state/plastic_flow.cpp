@@ -30,7 +30,7 @@ void mark_family(std::vector<std::uint8_t>& marks, std::uint8_t bits, std::size_
 /// Whether a particle was outside of the yield surface by more than is tolerated.
 bool PlasticForce::flow(const Particles& particles, const Family& family) {
   std::atomic<bool> overshoots = false;
-  parallel_for(static_cast<std::ptrdiff_t>(particles.rows()), [&](std::ptrdiff_t number) {
+  parallel_for_uneven(static_cast<std::ptrdiff_t>(particles.rows()), [&](std::ptrdiff_t number) {
     const auto row = static_cast<std::size_t>(number);
     double most = 0;
     const std::size_t begin = row * particles.row_slots(), end = std::min(begin + particles.row_slots(), particles.slots());
@@ -109,9 +109,8 @@ void PlasticForce::mark_affected(const Particles& particles, const Family& famil
   constexpr std::uint8_t of_strain = 1, of_dilatation = 2;
   std::fill(affected_.begin(), affected_.end(), std::uint8_t{0});
   const auto mark_families_of = [&](std::uint8_t with, const auto& is_source) {
-    parallel_for(static_cast<std::ptrdiff_t>(affected_.size()), [&](std::ptrdiff_t number) {
-      const auto eight = static_cast<std::size_t>(number);
-      for (std::size_t slot = eight * byte_lanes; slot < (eight + 1) * byte_lanes; ++slot)
+    parallel_for_blocks(affected_.size(), 32, [&](std::size_t first, std::size_t last) {
+      for (std::size_t slot = first * byte_lanes; slot < last * byte_lanes; ++slot)
         if (particles.owns(slot) && is_source(slot)) mark_family(affected_, with, slot, family);
     });
   };

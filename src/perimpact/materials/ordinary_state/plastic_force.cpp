@@ -89,6 +89,8 @@ void PlasticForce::pass(Particles& particles, Family& family, const PassOptions&
 template <class Pack>
 void PlasticForce::evaluate(Packs which, Particles& particles, Family& family, const PassOptions& options, SumsOfEights& sums) {
   const bool again = which == Packs::affected;
+  // what has flowed lies in few rows
+  const auto rows = [&](std::ptrdiff_t count, const auto& in_row) { parallel_for(count, again ? Schedule::uneven : Schedule::even, in_row); };
   const auto skips = [&](std::size_t slot) { return again && !options.with_energy && affected_[slot / byte_lanes] == 0; };
   const auto all_packs = [&](const auto& body, const auto& corrections, auto has_dilatation, auto may_break) {
     constexpr bool with_theta = decltype(has_dilatation)::value, breaks = decltype(may_break)::value;
@@ -99,18 +101,22 @@ void PlasticForce::evaluate(Packs which, Particles& particles, Family& family, c
         return Holds{};
     };
     if constexpr (with_theta)
-      for_each_pack<Pack>(particles, [&](std::size_t eight, std::size_t slot) {
-        if (skips(slot)) return;
-        const auto breaking = breaking_in(eight, std::bool_constant<breaks>());
-        with_factors(body, slot, corrections, [&](const auto& view, std::size_t at, const auto& factors) {
-          with_constant(is_plastic_[at / byte_lanes] != 0,
-                        [&](auto plastic) { dilatation_of_pack<Pack, decltype(plastic)::value>(view, at, breaking, factors, sums.fracture_energy[eight]); });
-        });
-      });
+      for_each_pack<Pack>(
+          particles,
+          [&](std::size_t eight, std::size_t slot) {
+            if (skips(slot)) return;
+            const auto breaking = breaking_in(eight, std::bool_constant<breaks>());
+            with_factors(body, slot, corrections, [&](const auto& view, std::size_t at, const auto& factors) {
+              with_constant(is_plastic_[at / byte_lanes] != 0, [&](auto plastic) {
+                dilatation_of_pack<Pack, decltype(plastic)::value>(view, at, breaking, factors, sums.fracture_energy[eight]);
+              });
+            });
+          },
+          rows);
     if constexpr (with_theta) particles.share().begin_refresh({theta_.component(0)});
     if (options.with_energy) std::fill(sums.energy.begin(), sums.energy.end(), 0.0);
     const std::array<double*, 6> stress = stress_.writable_pointers();
-    for_each_pack<Pack>(particles, [&](std::size_t eight, std::size_t slot) {
+    const auto evaluate_pack = [&](std::size_t eight, std::size_t slot) {
       if (skips(slot)) return;
       double& fracture = sums.fracture_energy[eight];
       const auto breaking = breaking_in(eight, std::bool_constant < breaks && !with_theta > ());  // the pass before has broken what breaks
@@ -135,7 +141,8 @@ void PlasticForce::evaluate(Packs which, Particles& particles, Family& family, c
       for (std::size_t c = 0; c < 3; ++c) store(particles.force_density.component(c) + slot, of.force[c]);
       if (options.may_break) store(latest_pressure_.component(0) + slot, of.pressure);
       if (options.with_energy) sums.energy[eight] += energy_of_pack(of.energy, particles, slot);
-    });
+    };
+    for_each_pack<Pack>(particles, evaluate_pack, rows);
   };
   const auto over = [&](const auto& body, const auto& corrections) {
     with_constant(law_.needs_dilatation(), [&](auto has_dilatation) {

@@ -1,0 +1,53 @@
+#include "base/aligned.hpp"
+
+#include <doctest/doctest.h>
+
+#include <cstdint>
+#include <filesystem>
+#include <fstream>
+#include <sstream>
+#include <string>
+
+using namespace fccda;
+
+namespace {
+
+constexpr std::size_t huge_page = CacheLineAllocator<double>::huge_page;
+
+template <class T>
+std::uintptr_t place_of(const AlignedVector<T>& values) {
+  return reinterpret_cast<std::uintptr_t>(values.data());
+}
+
+/// Flags of the mapping that contains an address, as the kernel prints them ("hg": huge pages are requested).
+std::string flags_of(std::uintptr_t address) {
+  std::ifstream maps("/proc/self/smaps");
+  bool is_inside = false;
+  for (std::string line; std::getline(maps, line);) {
+    std::uintptr_t begin = 0, end = 0;
+    char dash = 0;
+    if (std::istringstream range(line); range >> std::hex >> begin >> dash >> end && dash == '-') is_inside = begin <= address && address < end;
+    if (is_inside && line.starts_with("VmFlags:")) return line + " ";
+  }
+  return {};
+}
+
+}  // namespace
+
+TEST_CASE("aligned: arrays begin at a cache line, those of a huge page or more at one") {
+  for (const std::size_t bytes : {std::size_t{8}, std::size_t{1000}, huge_page - 8}) CHECK(place_of(AlignedVector<double>(bytes / 8)) % 64 == 0);
+  for (const std::size_t bytes : {huge_page, huge_page + 8, 5 * huge_page / 2}) CHECK(place_of(AlignedVector<double>(bytes / 8)) % huge_page == 0);
+}
+
+TEST_CASE("aligned: huge pages are requested for all whole pages of a large array") {
+  if (!std::filesystem::exists("/sys/kernel/mm/transparent_hugepage")) return;  // a kernel without them
+  const AlignedVector<double> large(5 * huge_page / 2 / 8);
+  CHECK(flags_of(place_of(large)).find(" hg ") != std::string::npos);
+  CHECK(flags_of(place_of(large) + 2 * huge_page - 8).find(" hg ") != std::string::npos);
+}
+
+TEST_CASE("aligned: an array keeps its values as it grows from small to large") {
+  AlignedVector<std::uint32_t> values;
+  for (std::uint32_t n = 0; n < 2 * huge_page / 4; ++n) values.push_back(n);
+  for (std::uint32_t n = 0; n < values.size(); ++n) REQUIRE(values[n] == n);
+}
