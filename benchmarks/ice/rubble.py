@@ -21,6 +21,7 @@ ROOT = Path(__file__).resolve().parents[2]
 sys.path.insert(0, str(ROOT / "benchmarks/plate"))
 from programs import machine, write_results  # noqa: E402
 
+INTERRUPTED = 130  # exit code of a run that was stopped by SIGINT, with its results
 TIMERS = ("contact", "forces", "fragments", "boundary_conditions")
 
 
@@ -28,8 +29,7 @@ def resumed(program, given):
     """Milliseconds a step of each timer, and the rows of history.csv."""
     with tempfile.TemporaryDirectory() as parent:
         folder = Path(parent) / "run"
-        shutil.copytree(given.folder, folder, ignore=shutil.ignore_patterns("run.lock", "frames"))
-        (folder / "frames").mkdir()
+        shutil.copytree(given.folder, folder, ignore=shutil.ignore_patterns("run.lock"))
         process = subprocess.Popen(
             [program, "run", given.deck, "--out", folder, "--resume", "--threads", str(given.threads), "--no-report"],
             stdout=subprocess.PIPE, text=True,
@@ -37,6 +37,8 @@ def resumed(program, given):
         time.sleep(given.seconds)
         process.send_signal(signal.SIGINT)
         process.communicate()
+        if process.returncode not in (0, INTERRUPTED):
+            sys.exit(f"{program} ended with exit code {process.returncode}.")
         report = json.loads((folder / "run.json").read_text(encoding="utf-8"))
         steps = report["steps"] - report["resumed_at_steps"][-1]
         if steps <= 0:
