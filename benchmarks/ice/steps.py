@@ -1,8 +1,8 @@
 #!/usr/bin/env python3
-"""Times the beginning of the ice cases on one core, writes results/ice_<machine>.csv and prints it as a table.
+"""Times the beginning of the ice cases and of the plate on one core, writes results/ice_<machine>.csv and prints it as a table.
 
     benchmarks/ice/steps.py                          on an idle machine
-    benchmarks/ice/steps.py --before PROGRAM         alternates with another build, six minutes: ratios within one run
+    benchmarks/ice/steps.py --before PROGRAM         alternates with another build, ten minutes: ratios within one run
 
 Results are those of the fastest round, from the timers of run.json; the final states of both programs must be identical.
 """
@@ -23,6 +23,7 @@ CASES = {  # deck, and simulated time
     "propeller": ("propeller_ice/deck.yaml", "time.end=40 ms"),
     "submarine": ("submarine_surfacing/deck.yaml", "time.end=0.2 s"),
     "uikku": ("uikku_ice/deck.yaml", "time.end=0.1 s"),
+    "plate": ("plate_impact/deck.yaml", "time.end=10 us"),
 }
 TIMERS = ("contact", "forces", "fragments", "boundary_conditions")
 
@@ -54,9 +55,11 @@ def main():
     arguments.add_argument("--program", type=Path, default=ROOT / "build/release/perimpact")
     arguments.add_argument("--before", type=Path)
     arguments.add_argument("--rounds", type=int, default=3)
+    arguments.add_argument("--cases", nargs="+", choices=CASES, default=list(CASES))
+    arguments.add_argument("--results", default="ice", help="the file is results/RESULTS_<machine>.csv")
     given = arguments.parse_args()
     rows = []
-    for case in CASES:
+    for case in given.cases:
         own, others = [], []
         for _ in range(given.rounds):
             own.append(run(given.program, case))
@@ -67,7 +70,7 @@ def main():
         if given.before:
             rows.append(row(case, "before", others))
         rows.append(row(case, "perimpact", own, others))
-    write_results("ice", rows)
+    write_results(given.results, rows)
 
 
 if __name__ == "__main__":

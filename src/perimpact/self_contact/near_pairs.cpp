@@ -54,8 +54,8 @@ NearPairs::NearPairs(const ShortRangeLaw& law, std::span<const ContactingBody> b
   first_pair_.assign(1, 0);
 }
 
-bool NearPairs::needs_new_list(std::span<const ContactingBody> bodies, const Moved& moved, bool has_room) {
-  bool is_valid = is_known_ && has_room;
+bool NearPairs::needs_new_list(std::span<const ContactingBody> bodies, const Moved& moved) {
+  bool is_valid = is_known_;
   for (std::size_t b = 0; b < bodies.size(); ++b)
     for (const std::uint32_t slot : exposures_[b].update(bodies[b].family, bodies[b].broken_ends)) {
       const std::uint32_t particle = particle_at_[b][slot];

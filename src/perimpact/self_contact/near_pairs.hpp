@@ -75,10 +75,9 @@ class NearPairs {
 
   NearPairs(const ShortRangeLaw& law, std::span<const ContactingBody> bodies);
 
-  /// Returns whether the list is out of date on any rank; to be called once per step. `has_room`: for what the owner of this list stores of its pairs.
-  /// make() rebuilds it. Both are collective.
-  bool needs_new_list(std::span<const ContactingBody> bodies, bool has_room) { return needs_new_list(bodies, moved(bodies), has_room); }
-  bool needs_new_list(std::span<const ContactingBody> bodies, const Moved& moved, bool has_room = true);
+  /// Returns whether the list is out of date; to be called once per step. make() rebuilds it. Both are collective.
+  bool needs_new_list(std::span<const ContactingBody> bodies) { return needs_new_list(bodies, moved(bodies)); }
+  bool needs_new_list(std::span<const ContactingBody> bodies, const Moved& moved);
   void make(std::span<const ContactingBody> bodies);
   /// Receives the state of foreign members from their owners; to be called in each step, after make(). Collective.
   void refresh_foreign(std::span<const ContactingBody> bodies);

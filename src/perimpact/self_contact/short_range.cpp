@@ -1,7 +1,6 @@
 #include "perimpact/self_contact/short_range.hpp"
 
 #include <algorithm>
-#include <atomic>
 #include <cmath>
 #include <utility>
 
@@ -26,6 +25,9 @@ std::vector<std::array<double, 2>> stiffness_of(std::span<const ContactingBody> 
   }
   return all;
 }
+
+/// A number of pairs, rounded up to packs of eight.
+std::size_t in_packs(std::size_t pairs) { return (pairs + byte_lanes - 1) / byte_lanes * byte_lanes; }
 
 /// Begins to load the first two cache lines of an array that is read soon.
 template <class T>
@@ -88,14 +90,15 @@ ShortRangeView ShortRange::view(double dt) {
           near_count_.data(),
           may_slip_.data(),
           first_near_.data(),
+          near_room_.data(),
           near_.data(),
           law_.friction > 0 ? std::array{slip_[0].data(), slip_[1].data(), slip_[2].data()} : std::array<double*, 3>{},
           is_near_.data()};
 }
 
 void ShortRange::add_forces(std::span<const ContactingBody> bodies, double dt) {
-  const bool has_room = insert_broken_pairs(bodies);
-  if (near_pairs_.needs_new_list(bodies, has_room)) make_list(bodies);
+  insert_broken_pairs(bodies);
+  if (near_pairs_.needs_new_list(bodies)) make_list(bodies);
   near_pairs_.refresh_foreign(bodies);
   if (is_scalar_)
     evaluate<double>(bodies, dt);
@@ -107,20 +110,38 @@ void ShortRange::add_forces(std::span<const ContactingBody> bodies, double dt) {
   enter(exact_sum_over_eights(near_pairs_.ranks(), members.size(), eight_of, [&](std::size_t m) { return pair_sums_[m]; }));
 }
 
-/// Returns whether there was room for all of them.
-bool ShortRange::insert_broken_pairs(std::span<const ContactingBody> bodies) {
+void ShortRange::insert_broken_pairs(std::span<const ContactingBody> bodies) {
   const std::vector<std::uint32_t> list = near_pairs_.members_with_broken_bonds(bodies);
-  if (list.empty()) return true;
-  const ShortRangeView view = this->view(0);
   const auto members = near_pairs_.members();
-  std::atomic<bool> has_room = true;
-  fccda::parallel_for_uneven(static_cast<std::ptrdiff_t>(list.size()), [&](std::ptrdiff_t place) {
-    const std::size_t m = list[static_cast<std::size_t>(place)], slot = members[m].slot;
-    const std::uint8_t* bits = bodies[members[m].body].family.bytes(slot / byte_lanes);
-    if (!perimpact::insert_broken_pairs(view, m, [&](std::size_t row) { return ((bits[row] >> (slot % byte_lanes)) & 1u) != 0; }))
-      has_room.store(false, std::memory_order_relaxed);
-  });
-  return has_room;
+  std::vector<std::uint8_t> lacks_room(list.size(), 1);
+  const auto insert = [&] {
+    const ShortRangeView view = this->view(0);
+    fccda::parallel_for_uneven(static_cast<std::ptrdiff_t>(list.size()), [&](std::ptrdiff_t number) {
+      const auto place = static_cast<std::size_t>(number);
+      if (lacks_room[place] == 0) return;
+      const std::size_t m = list[place], slot = members[m].slot;
+      const std::uint8_t* bits = bodies[members[m].body].family.bytes(slot / byte_lanes);
+      lacks_room[place] = !perimpact::insert_broken_pairs(view, m, [&](std::size_t row) { return ((bits[row] >> (slot % byte_lanes)) & 1u) != 0; });
+    });
+  };
+  insert();
+  if (std::ranges::find(lacks_room, 1) == lacks_room.end()) return;
+  for (std::size_t place = 0; place < list.size(); ++place)
+    if (lacks_room[place] != 0) give_room(list[place]);
+  insert();
+}
+
+/// Moves the pairs of a member that are in range to the end of their arrays, where there is room for all of its pairs.
+void ShortRange::give_room(std::size_t m) {
+  const std::size_t from = first_near_[m], to = near_.size() - byte_lanes, room = in_packs(near_pairs_.view().counts[m]);
+  near_.resize(near_.size() + room);  // the next evaluation writes them
+  if (law_.friction > 0)
+    for (fccda::AlignedVector<double>& component : slip_) {
+      component.resize(component.size() + room);
+      std::copy_n(component.begin() + static_cast<std::ptrdiff_t>(from), near_count_[m], component.begin() + static_cast<std::ptrdiff_t>(to));
+    }
+  first_near_[m] = to;
+  near_room_[m] = static_cast<std::uint32_t>(room);
 }
 
 void ShortRange::enter(const PairSum& sum) {
@@ -262,12 +283,15 @@ void ShortRange::derive_constants() {
   // Most pairs are bonded, and remain so until the next list. Room for all of them would keep what the passes read far apart.
   constexpr std::size_t spare = 8;
   const PairsView pairs = near_pairs_.view();
-  first_near_.assign(1, 0);
+  first_near_.assign(members.size(), 0);
+  near_room_.assign(members.size(), 0);
+  std::size_t count = 0;
   for (std::size_t m = 0; m < members.size(); ++m) {
-    const std::size_t all = pairs.counts[m], room = reserves_all_pairs_ ? all : std::min<std::size_t>(pairs.unbonded_counts[m] + spare, all);
-    first_near_.push_back(first_near_.back() + (room + byte_lanes - 1) / byte_lanes * byte_lanes);
+    const std::size_t all = pairs.counts[m], room = in_packs(reserves_all_pairs_ ? all : std::min<std::size_t>(pairs.unbonded_counts[m] + spare, all));
+    first_near_[m] = count, near_room_[m] = static_cast<std::uint32_t>(room);
+    count += room;
   }
-  const std::size_t count = first_near_.back() + byte_lanes;  // packs of eight are read
+  count += byte_lanes;  // packs of eight are read
   resize_to(near_, count);
   std::fill(near_.begin(), near_.end(), 0);
   if (law_.friction > 0)

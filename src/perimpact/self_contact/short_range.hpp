@@ -54,7 +54,7 @@ class ShortRange {
       for (auto& numbers : *two) visit(std::span(numbers));
     visit(std::span(largest_overlap_)), visit(std::span(energy_of_)), visit(std::span(compaction_of_));
     visit_state_of_members(visit);
-    visit(std::span(first_near_)), visit(std::span(near_));
+    visit(std::span(first_near_)), visit(std::span(near_room_)), visit(std::span(near_));
   }
   /// The same for those that the steps since the last list have changed and a new list or the state needs.
   template <class Visit>
@@ -113,7 +113,8 @@ class ShortRange {
     Vec3d slip;
   };
 
-  bool insert_broken_pairs(std::span<const ContactingBody> bodies);
+  void insert_broken_pairs(std::span<const ContactingBody> bodies);
+  void give_room(std::size_t member);
   template <class Pack>
   void evaluate(std::span<const ContactingBody> bodies, double dt);
   template <class Visit>
@@ -154,6 +155,7 @@ class ShortRange {
 
   // of their pairs
   std::vector<std::size_t> first_near_;
+  std::vector<std::uint32_t> near_room_;
   fccda::AlignedVector<std::int32_t> near_;
   std::array<fccda::AlignedVector<double>, 3> slip_;  // with friction only, 0 out of contact
   fccda::AlignedVector<std::uint8_t> is_near_;

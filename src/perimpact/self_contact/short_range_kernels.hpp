@@ -80,9 +80,9 @@ struct ShortRangeView {
   std::uint32_t* near_count;
   std::uint8_t* may_slip;  // a tangential spring may be extended: with friction, after contact in the last evaluation
 
-  // of their pairs in range, without gaps, from first_near of each member on. There is room for its pairs without a bond: all but insert_broken_pairs() rely
-  // on it.
+  // of their pairs in range, without gaps, from first_near of each member on. There is room for its pairs without a bond.
   const std::size_t* first_near;
+  const std::uint32_t* near_room;
   std::int32_t* near;           // the other members
   std::array<double*, 3> slip;  // [m] extensions of their tangential springs; null without friction
   // of all pairs, from pairs.first_pair on
@@ -96,7 +96,7 @@ struct ShortRangeView {
       for (const double*& pointer : *two) visit(pointer);
     for (double*& pointer : pressure) visit(pointer);
     visit(largest_overlap), visit(threshold), visit(latest_pressure), visit(energy), visit(compaction), visit(near_count), visit(may_slip);
-    visit(first_near), visit(near);
+    visit(first_near), visit(near_room), visit(near);
     for (double*& component : slip) visit(component);
     visit(is_near);
   }
@@ -118,12 +118,12 @@ struct ShortRangeView {
   }
 };
 
-/// Moves the pairs of a member whose bonds have broken to those without a bond. Returns whether there was room for all of them; if not, a new list is needed.
-/// `is_intact(row)`: the bond of a row of its family.
+/// Moves the pairs of a member whose bonds have broken to those without a bond. Returns whether there was room for all of them; if not, call it again with more
+/// room. `is_intact(row)`: the bond of a row of its family.
 template <class IsIntact>
 FCCDA_HD bool insert_broken_pairs(const ShortRangeView& view, std::size_t m, const IsIntact& is_intact) {
   const PairsView& pairs = view.pairs;
-  const std::size_t first = pairs.first_pair[m], end = first + pairs.counts[m], room = view.first_near[m + 1] - view.first_near[m];
+  const std::size_t first = pairs.first_pair[m], end = first + pairs.counts[m], room = view.near_room[m];
   std::uint32_t& unbonded = pairs.unbonded_counts[m];
   const auto is_near = [&](std::size_t pair) { return (view.is_near[pair / fccda::byte_lanes] >> (pair % fccda::byte_lanes)) & 1u; };
   const auto set_near = [&](std::size_t pair, unsigned near) {
