@@ -88,7 +88,7 @@ class NearPairs {
   void forget() { is_known_ = false; }
 
   /// Members of this rank in eights that have lost bonds since the last call or list: some of their pairs may no longer be bonded (insert_broken_pairs()).
-  /// None if the list must be built anew anyway.
+  /// None if the list is out of date.
   std::vector<std::uint32_t> members_with_broken_bonds(std::span<const ContactingBody> bodies);
 
   std::span<const Member> members() const { return members_; }  ///< by body and slot
