@@ -20,13 +20,13 @@ from pathlib import Path
 ROOT = Path(__file__).resolve().parents[2]
 sys.path.insert(0, str(ROOT / "benchmarks/plate"))
 from programs import machine, write_results  # noqa: E402
+from steps import TIMERS, seconds  # noqa: E402
 
 INTERRUPTED = 130  # exit code of a run that was stopped by SIGINT, with its results
-TIMERS = ("contact", "forces", "fragments", "boundary_conditions")
 
 
 def resumed(program, given):
-    """Milliseconds a step of each timer, and the rows of history.csv."""
+    """Number of steps, run.json, and the rows of history.csv."""
     with tempfile.TemporaryDirectory() as parent:
         folder = Path(parent) / "run"
         shutil.copytree(given.folder, folder, ignore=shutil.ignore_patterns("run.lock"))
@@ -43,8 +43,7 @@ def resumed(program, given):
         steps = report["steps"] - report["resumed_at_steps"][-1]
         if steps <= 0:
             sys.exit(f"{program} made no step in {given.seconds} s.")
-        timers = {name: 1e3 * seconds / steps for name, seconds in report["timers [s]"].items()}
-        return timers | {"steps": steps}, (folder / "history.csv").read_text(encoding="utf-8").splitlines()
+        return steps, report, (folder / "history.csv").read_text(encoding="utf-8").splitlines()
 
 
 def main():
@@ -60,16 +59,15 @@ def main():
     rows = []
     for number in range(1, given.rounds + 1):
         results = {name: resumed(program, given) for name, program in (("before", given.before), ("perimpact", given.program))}
-        (before, history_before), (own, history) = results["before"], results["perimpact"]
-        common = min(len(history_before), len(history))
-        if history_before[:common] != history[:common]:
+        histories = [history for _, _, history in results.values()]
+        if any(len(set(rows_of_step)) > 1 for rows_of_step in zip(*histories)):
             sys.exit("The programs differ in history.csv, so their times are not comparable.")
-        for name, (timers, _) in results.items():
-            total = sum(milliseconds for timer, milliseconds in timers.items() if timer != "steps")
+        each = {name: 1e3 * seconds(report) / steps for name, (steps, report, _) in results.items()}  # [ms] a step
+        for name, (steps, report, _) in results.items():
             cells = {"machine": machine(), "case": given.deck.parent.name, "program": name, "threads": given.threads, "round": number,
-                     "steps": timers["steps"], "steps/s": f"{1e3 / total:.3g}"}  # fmt: skip
-            cells |= {f"{timer} [ms]": f"{timers.get(timer, 0):.2f}" for timer in TIMERS}
-            cells["time over before"] = f"{total / sum(ms for timer, ms in before.items() if timer != 'steps'):.3f}" if name == "perimpact" else ""
+                     "steps": steps, "steps/s": f"{1e3 / each[name]:.3g}"}  # fmt: skip
+            cells |= {f"{timer} [ms]": f"{1e3 * report['timers [s]'].get(timer, 0) / steps:.2f}" for timer in TIMERS}
+            cells["time over before"] = f"{each[name] / each['before']:.3f}" if name == "perimpact" else ""
             rows.append(cells)
     write_results("rubble", rows)
 
