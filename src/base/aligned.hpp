@@ -3,22 +3,60 @@
 
 #if defined(__linux__)
 #include <sys/mman.h>
+#include <unistd.h>
 #endif
 
 #include <cstddef>
+#include <cstdint>
 #include <new>
 #include <utility>
 #include <vector>
 
 namespace fccda {
 
+inline constexpr std::size_t cache_line = 64;              ///< [byte]
+inline constexpr std::size_t huge_page = 2 * 1024 * 1024;  ///< [byte]
+
+#if defined(__linux__) && !defined(__SANITIZE_ADDRESS__)  // which detects errors in memory of operator new only
+/// Memory of an array of `bytes`, which begins at a huge page. The array occupies whole small pages, and is given back to the operating system as soon as it
+/// is freed. operator new of this alignment keeps up to another huge page for each array, which counts towards `ulimit -v` and `-d`. Throws std::bad_alloc.
+class MappedPages {
+ public:
+  static void* allocate(std::size_t bytes) {
+    const std::size_t length = in_pages(bytes);
+    void* const mapped = mmap(nullptr, length + huge_page, PROT_READ | PROT_WRITE, MAP_PRIVATE | MAP_ANONYMOUS, -1, 0);
+    if (mapped == MAP_FAILED) throw std::bad_alloc();
+    char* const begin = static_cast<char*>(mapped);
+    const std::size_t before = (huge_page - reinterpret_cast<std::uintptr_t>(begin) % huge_page) % huge_page;
+    char* const memory = begin + before;
+    if (before > 0) munmap(begin, before);
+    munmap(memory + length, huge_page - before);
+    // complete huge pages only, so that an array occupies no more memory than it is long; without huge pages it is as usable
+    madvise(memory, bytes / huge_page * huge_page, MADV_HUGEPAGE);
+    return memory;
+  }
+  static void free(void* memory, std::size_t bytes) { munmap(memory, in_pages(bytes)); }
+
+ private:
+  static std::size_t in_pages(std::size_t bytes) {
+    static const auto page = static_cast<std::size_t>(sysconf(_SC_PAGESIZE));
+    return (bytes + page - 1) / page * page;
+  }
+};
+#else
+/// The same where the operating system is not asked for pages.
+class MappedPages {
+ public:
+  static void* allocate(std::size_t bytes) { return ::operator new (bytes, std::align_val_t{huge_page}); }
+  static void free(void* memory, std::size_t) { ::operator delete (memory, std::align_val_t{huge_page}); }
+};
+#endif
+
 /// Allocator of std::vector whose memory begins at a cache line. That of an array of 2 MiB or more begins at a huge page, and the operating system is asked
 /// to provide huge pages: scattered access to pages of 4 KiB waits for their addresses (with a step of rubble on ice, a tenth of its time).
 template <class T>
 struct CacheLineAllocator {
-  using value_type = T;                                      ///< of the vector
-  static constexpr std::size_t cache_line = 64;              ///< [byte]
-  static constexpr std::size_t huge_page = 2 * 1024 * 1024;  ///< [byte]
+  using value_type = T;  ///< of the vector
 
   CacheLineAllocator() = default;
   /// Allocators of all types are interchangeable.
@@ -28,20 +66,17 @@ struct CacheLineAllocator {
   /// Memory for `count` values, without construction. Throws std::bad_alloc.
   T* allocate(std::size_t count) {
     const std::size_t bytes = count * sizeof(T);
-    void* const memory = ::operator new(bytes, alignment_of(bytes));
-#if defined(__linux__) && defined(MADV_HUGEPAGE)
-    // whole pages only, so that an array occupies no more memory than it is long; without huge pages it is as usable
-    if (bytes >= huge_page) madvise(memory, bytes / huge_page * huge_page, MADV_HUGEPAGE);
-#endif
-    return static_cast<T*>(memory);
+    return static_cast<T*>(bytes < huge_page ? ::operator new (bytes, std::align_val_t{cache_line}) : MappedPages::allocate(bytes));
   }
   /// Frees memory of allocate(), of the same count.
-  void deallocate(T* pointer, std::size_t count) { ::operator delete(pointer, alignment_of(count * sizeof(T))); }
+  void deallocate(T* pointer, std::size_t count) {
+    if (const std::size_t bytes = count * sizeof(T); bytes < huge_page)
+      ::operator delete (pointer, std::align_val_t{cache_line});
+    else
+      MappedPages::free(pointer, bytes);
+  }
   /// Always true: there is no state.
   friend bool operator==(const CacheLineAllocator&, const CacheLineAllocator&) { return true; }
-
- private:
-  static constexpr std::align_val_t alignment_of(std::size_t bytes) { return std::align_val_t{bytes < huge_page ? cache_line : huge_page}; }
 };
 
 /// A vector whose data begin at a cache line.

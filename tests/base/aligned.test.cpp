@@ -1,6 +1,7 @@
 #include "base/aligned.hpp"
 
 #include <doctest/doctest.h>
+#include <unistd.h>
 
 #include <cstdint>
 #include <filesystem>
@@ -11,8 +12,6 @@
 using namespace fccda;
 
 namespace {
-
-constexpr std::size_t huge_page = CacheLineAllocator<double>::huge_page;
 
 template <class T>
 std::uintptr_t place_of(const AlignedVector<T>& values) {
@@ -32,6 +31,13 @@ std::string flags_of(std::uintptr_t address) {
   return {};
 }
 
+/// [byte] of address space of this process
+std::size_t address_space() {
+  std::size_t pages = 0;
+  std::ifstream("/proc/self/statm") >> pages;
+  return pages * static_cast<std::size_t>(sysconf(_SC_PAGESIZE));
+}
+
 }  // namespace
 
 TEST_CASE("aligned: arrays begin at a cache line, those of a huge page or more at one") {
@@ -44,6 +50,15 @@ TEST_CASE("aligned: huge pages are requested for all whole pages of a large arra
   const AlignedVector<double> large(5 * huge_page / 2 / 8);
   CHECK(flags_of(place_of(large)).find(" hg ") != std::string::npos);
   CHECK(flags_of(place_of(large) + 2 * huge_page - 8).find(" hg ") != std::string::npos);
+}
+
+TEST_CASE("aligned: a large array counts towards the address space with its own pages only, and no longer once it is freed") {
+  const std::size_t page = static_cast<std::size_t>(sysconf(_SC_PAGESIZE)), before = address_space();
+  {
+    const AlignedVector<double> large((5 * huge_page / 2 - 8) / 8);
+    CHECK(address_space() - before == 5 * huge_page / 2 / page * page);
+  }
+  CHECK(address_space() == before);
 }
 
 TEST_CASE("aligned: an array keeps its values as it grows from small to large") {
