@@ -32,6 +32,10 @@ namespace fccda {
 
 /// Number of particles in one byte of bond bits: rows of particles are padded to this on every machine.
 inline constexpr std::size_t byte_lanes = 8;
+/// Number of eights of particles, pairs or slots; the last may be incomplete.
+constexpr std::size_t eights_of(std::size_t count) { return (count + byte_lanes - 1) / byte_lanes; }
+/// A number rounded up to complete eights.
+constexpr std::size_t in_eights(std::size_t count) { return eights_of(count) * byte_lanes; }
 
 template <class Pack>
 inline constexpr std::size_t lanes = 1;

@@ -126,7 +126,7 @@ PartitionRule partition_rule_of(const BodySetup& setup, const Lattice& whole, co
 }
 
 CloudParts parts_of(const BodySetup& setup, const Cloud& cloud, int ranks, int first_rank, const MeasuredLoad& load) {
-  const std::size_t eights = (cloud.points.size() + fccda::byte_lanes - 1) / fccda::byte_lanes;
+  const std::size_t eights = fccda::eights_of(cloud.points.size());
   return {cloud, largest_reach(setup.family.as<FamilyRule>(), setup.horizon_ratio, cloud), CloudPartition(eights, ranks, first_rank, load)};
 }
 

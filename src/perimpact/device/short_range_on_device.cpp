@@ -43,7 +43,7 @@ class ShortRangePasses {
   }
   void upload_list(ShortRange& contact, std::span<const ContactingBody> bodies);
   NearPairs::Moved moved(const NearPairs& pairs);
-  void insert_broken_pairs(NearPairs& pairs, const ShortRangeView& view, std::span<const ContactingBody> bodies);
+  void insert_broken_pairs(const NearPairs& pairs, const ShortRangeView& view);
 
   Device* device_;
   std::vector<BodyPasses*> bodies_;
@@ -76,7 +76,7 @@ void ShortRangePasses::add_forces(ShortRange& contact, std::span<const Contactin
   const ShortRangeView view = mirrors_->on_device(contact.view(dt));
   if (std::exchange(times_exposed_, pairs.times_exposed()) != pairs.times_exposed() && !pairs.exposed().empty()) mirrors_->upload(pairs.exposed());
   device_->launch(GatherMembersKernel{view, arrays_.data(), slots_.data()}, members);
-  insert_broken_pairs(pairs, view, bodies);
+  insert_broken_pairs(pairs, view);
   device_->launch(DensityKernel{view}, members);
   device_->launch(PairForcesKernel{view, arrays_.data(), slots_.data(), pair_sums_.data()}, members);
   for (BodyPasses* body : bodies_) body->forces().changed_on_device();
@@ -139,8 +139,8 @@ NearPairs::Moved ShortRangePasses::moved(const NearPairs& pairs) {
   return all;
 }
 
-void ShortRangePasses::insert_broken_pairs(NearPairs& pairs, const ShortRangeView& view, std::span<const ContactingBody> bodies) {
-  const std::vector<std::uint32_t> list = pairs.members_with_broken_bonds(bodies);
+void ShortRangePasses::insert_broken_pairs(const NearPairs& pairs, const ShortRangeView& view) {
+  const std::vector<std::uint32_t> list = pairs.members_with_broken_bonds();
   if (list.empty()) return;
   device_->upload(list_.data(), list.data(), list.size() * sizeof(std::uint32_t));
   device_->launch(InsertBrokenPairsKernel{view, arrays_.data(), slots_.data(), list_.data()}, list.size());

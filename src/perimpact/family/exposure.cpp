@@ -58,10 +58,11 @@ Exposure::Exposure(const Particles& particles, const Family& family, std::span<c
   });
 }
 
-std::vector<std::uint32_t> Exposure::update(const Family& family, std::span<const std::uint32_t> broken_ends) {
-  std::vector<std::size_t> eights;
+Exposure::Change Exposure::update(const Family& family, std::span<const std::uint32_t> broken_ends) {
+  Change change;
+  std::vector<std::uint32_t>& eights = change.eights;
   for (std::size_t eight = 0; eight < broken_ends.size(); ++eight)
-    if (broken_ends[eight] != broken_ends_[eight]) eights.push_back(eight);
+    if (broken_ends[eight] != broken_ends_[eight]) eights.push_back(static_cast<std::uint32_t>(eight));
   std::vector<std::uint8_t> found(eights.size(), 0);  // bit l: slot l of the eight
   fccda::parallel_for_uneven(static_cast<std::ptrdiff_t>(eights.size()), [&](std::ptrdiff_t e) {
     const std::size_t eight = eights[static_cast<std::size_t>(e)], first = eight * byte_lanes;
@@ -79,10 +80,9 @@ std::vector<std::uint32_t> Exposure::update(const Family& family, std::span<cons
       bits = static_cast<std::uint8_t>(bits | 1u << lane);
     }
   });
-  std::vector<std::uint32_t> all;
   for (std::size_t e = 0; e < eights.size(); ++e)
-    fccda::for_each_bit(found[e], [&](std::size_t lane) { all.push_back(static_cast<std::uint32_t>(eights[e] * byte_lanes + lane)); });
-  return all;
+    fccda::for_each_bit(found[e], [&](std::size_t lane) { change.first_lost.push_back(static_cast<std::uint32_t>(eights[e] * byte_lanes + lane)); });
+  return change;
 }
 
 }  // namespace perimpact

@@ -19,8 +19,12 @@ class Exposure {
   /// `broken_ends`: cumulative, of each eight (InternalForce::broken_ends).
   Exposure(const Particles& particles, const Family& family, std::span<const std::uint32_t> broken_ends);
 
-  /// Updates eights with bonds broken since the last call. Returns the slots, ascending, of particles that lost their first bond.
-  std::vector<std::uint32_t> update(const Family& family, std::span<const std::uint32_t> broken_ends);
+  /// What has broken since the last update.
+  struct Change {
+    std::vector<std::uint32_t> eights;      ///< with broken bonds, ascending
+    std::vector<std::uint32_t> first_lost;  ///< slots of particles that lost their first bond, ascending
+  };
+  Change update(const Family& family, std::span<const std::uint32_t> broken_ends);
 
   bool is_exposed(std::size_t slot) const { return marks_[slot] != 0; }
   bool has_lost(std::size_t slot) const { return (marks_[slot] & lost) != 0; }  ///< lost a bond

@@ -8,13 +8,12 @@
 
 namespace perimpact {
 
-using fccda::byte_lanes;
+using fccda::byte_lanes, fccda::eights_of;
 
 namespace {
 
 constexpr double far = std::numeric_limits<double>::infinity();
 
-std::size_t eights_of(std::size_t count) { return (count + byte_lanes - 1) / byte_lanes; }
 
 template <class F>
 void for_each(std::size_t count, const F& f) {

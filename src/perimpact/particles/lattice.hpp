@@ -24,7 +24,7 @@ struct Lattice {
 
   double cell_volume() const { return spacing * spacing * thickness.value_or(spacing); }  ///< [m³]
 
-  std::size_t row_slots() const { return (static_cast<std::size_t>(cells[0]) + fccda::byte_lanes - 1) / fccda::byte_lanes * fccda::byte_lanes; }
+  std::size_t row_slots() const { return fccda::in_eights(static_cast<std::size_t>(cells[0])); }
   std::size_t rows() const { return static_cast<std::size_t>(cells[1]) * static_cast<std::size_t>(cells[2]); }
   std::size_t slots() const { return rows() * row_slots(); }
 

@@ -17,7 +17,6 @@ namespace {
 
 constexpr std::size_t cloud_row = 64;  // slots per work item of a thread
 
-std::size_t whole_packs(std::size_t count) { return (count + fccda::byte_lanes - 1) / fccda::byte_lanes * fccda::byte_lanes; }
 
 std::vector<std::uint8_t> marked(const Lattice& lattice, const std::function<bool(const Vec3d&)>& inside) {
   std::vector<std::uint8_t> marks(lattice.slots(), 0);
@@ -60,7 +59,7 @@ Particles::Particles(const Lattice& lattice, int reach, Density density, const s
 
 Particles::Particles(const Cloud& cloud, Density density, const Share& share)
     : share_(share),
-      slots_(share.is_whole() ? whole_packs(cloud.points.size()) : share.eights().size() * fccda::byte_lanes),
+      slots_(share.is_whole() ? fccda::in_eights(cloud.points.size()) : share.eights().size() * fccda::byte_lanes),
       row_slots_(cloud_row),
       slack_(0),
       density_(density),

@@ -26,7 +26,7 @@ std::vector<SlotRun> runs_of(const Lattice& lattice, const CellBox& box) {
 
 /// Rounds the runs of a row up to whole eights; they begin with one.
 std::vector<SlotRun> in_whole_eights(std::vector<SlotRun> runs) {
-  for (SlotRun& run : runs) run.count = (run.count + fccda::byte_lanes - 1) / fccda::byte_lanes * fccda::byte_lanes;
+  for (SlotRun& run : runs) run.count = fccda::in_eights(run.count);
   return runs;
 }
 

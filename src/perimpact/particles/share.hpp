@@ -217,7 +217,7 @@ inline std::size_t Share::whole_slot(std::size_t slot) const {
 
 template <class F>
 void Share::for_each_row_of_eights(const Lattice& lattice, const CellBox& box, std::size_t per_eight, const F& f) {
-  const std::size_t eights = (static_cast<std::size_t>(box.size(0)) + fccda::byte_lanes - 1) / fccda::byte_lanes;
+  const std::size_t eights = fccda::eights_of(static_cast<std::size_t>(box.size(0)));
   for (int k = box.low[2]; k < box.high[2]; ++k)
     for (int j = box.low[1]; j < box.high[1]; ++j) f(lattice.slot(box.low[0], j, k) / fccda::byte_lanes * per_eight, eights * per_eight);
 }

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <utility>
 
+#include "base/freed_memory.hpp"
 #include "base/parallel.hpp"
 
 namespace perimpact {
@@ -56,25 +57,26 @@ NearPairs::NearPairs(const ShortRangeLaw& law, std::span<const ContactingBody> b
 
 bool NearPairs::needs_new_list(std::span<const ContactingBody> bodies, const Moved& moved) {
   bool is_valid = is_known_;
-  for (std::size_t b = 0; b < bodies.size(); ++b)
-    for (const std::uint32_t slot : exposures_[b].update(bodies[b].family, bodies[b].broken_ends)) {
+  broken_eights_.resize(bodies.size());
+  for (std::size_t b = 0; b < bodies.size(); ++b) {
+    Exposure::Change change = exposures_[b].update(bodies[b].family, bodies[b].broken_ends);
+    broken_eights_[b] = std::move(change.eights);
+    for (const std::uint32_t slot : change.first_lost) {
       const std::uint32_t particle = particle_at_[b][slot];
       is_valid = is_valid && near_damage_[particle];
       if (!is_valid || member_of_[particle] == none) continue;  // make() examines all members
       exposed_[member_of_[particle]] = 1;
       ++times_exposed_;
     }
+  }
   const bool has_moved = has_moved_by_skin(moved);
   return ranks().any(!is_valid) || has_moved;
 }
 
-std::vector<std::uint32_t> NearPairs::members_with_broken_bonds(std::span<const ContactingBody> bodies) {
+std::vector<std::uint32_t> NearPairs::members_with_broken_bonds() const {
   std::vector<std::uint32_t> found;
-  if (!is_known_) return found;
-  for (std::size_t b = 0; b < bodies.size(); ++b)
-    for (std::size_t eight = 0; eight < broken_ends_[b].size(); ++eight) {
-      const std::uint32_t ends = bodies[b].broken_ends[eight];
-      if (std::exchange(broken_ends_[b][eight], ends) == ends) continue;
+  for (std::size_t b = 0; b < broken_eights_.size(); ++b)
+    for (const std::size_t eight : broken_eights_[b]) {
       const std::size_t end = std::min((eight + 1) * fccda::byte_lanes, particle_at_[b].size());
       for (std::size_t slot = eight * fccda::byte_lanes; slot < end; ++slot) {
         const std::uint32_t particle = particle_at_[b][slot];
@@ -217,8 +219,7 @@ void NearPairs::make(std::span<const ContactingBody> bodies) {
   members_.clear();
   first_pair_.assign(1, 0);
   pair_counts_.clear();
-  broken_ends_.clear();
-  for (const ContactingBody& body : bodies) broken_ends_.emplace_back(body.broken_ends.begin(), body.broken_ends.end());
+  broken_eights_.clear();
   exposed_.clear();
   std::vector<std::uint8_t> is_used(foreign_.all().size(), 0);
   if (!is_used.empty())
@@ -237,7 +238,7 @@ void NearPairs::make(std::span<const ContactingBody> bodies) {
     members_.push_back(particle);
     pair_counts_.push_back(count);
     exposed_.push_back(is_exposed(particle));
-    first_pair_.push_back(first_pair_.back() + (count + fccda::byte_lanes - 1) / fccda::byte_lanes * fccda::byte_lanes);
+    first_pair_.push_back(first_pair_.back() + fccda::in_eights(count));
   }
   resize_to(others_, first_pair_.back());
   resize_to(bonds_, first_pair_.back());
@@ -262,6 +263,8 @@ void NearPairs::make(std::span<const ContactingBody> bodies) {
       for (; pair < first_pair_[m + 1]; ++pair) others_[pair] = 0, bonds_[pair] = no_bond;  // padding, read but not used
     }
   });
+  parts = {};
+  fccda::return_freed_memory();  // before other arrays of pairs are made
 }
 
 void NearPairs::mark_cells() {

@@ -87,9 +87,9 @@ class NearPairs {
   /// Forces a rebuild in the next step.
   void forget() { is_known_ = false; }
 
-  /// Members of this rank in eights that have lost bonds since the last call or list: some of their pairs may no longer be bonded (insert_broken_pairs()).
-  /// None if the list is out of date.
-  std::vector<std::uint32_t> members_with_broken_bonds(std::span<const ContactingBody> bodies);
+  /// Members of this rank in eights that had lost bonds at the last call of needs_new_list(): some of their pairs may no longer be bonded
+  /// (insert_broken_pairs()). None after make().
+  std::vector<std::uint32_t> members_with_broken_bonds() const;
 
   std::span<const Member> members() const { return members_; }  ///< by body and slot
   Pairs pairs_of(std::size_t member) const { return {unbonded_counts_[member], others_.data() + first_pair_[member]}; }
@@ -159,7 +159,7 @@ class NearPairs {
   std::vector<Member> members_;
   std::vector<std::size_t> first_pair_;
   std::vector<std::uint32_t> pair_counts_, unbonded_counts_;  // of each member; pairs without an intact bond come first
-  std::vector<std::vector<std::uint32_t>> broken_ends_;       // of each eight of a body, when bonds of its members were last examined
+  std::vector<std::vector<std::uint32_t>> broken_eights_;     // of each body, whose bonds broke in the latest step; empty after make()
   std::vector<std::uint8_t> exposed_;                         // of each member
   std::size_t times_exposed_ = 0;
   fccda::AlignedVector<std::int32_t> others_;  // packs of eight are read

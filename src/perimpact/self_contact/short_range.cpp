@@ -26,15 +26,17 @@ std::vector<std::array<double, 2>> stiffness_of(std::span<const ContactingBody> 
   return all;
 }
 
-/// A number of pairs, rounded up to packs of eight.
-std::size_t in_packs(std::size_t pairs) { return (pairs + byte_lanes - 1) / byte_lanes * byte_lanes; }
-
 /// Begins to load the first two cache lines of an array that is read soon.
 template <class T>
 void prefetch_lines(const T* array, std::size_t count) {
   constexpr std::size_t line = 64 / sizeof(T);
   if (count > 0) __builtin_prefetch(array);
   if (count > line) __builtin_prefetch(array + line);
+}
+
+/// Makes room for `count` more values, and for an eighth more: doubling the array, as it grows, would determine the peak memory of a run with rubble.
+void reserve_more(auto& values, std::size_t count) {
+  if (const std::size_t needed = values.size() + count; values.capacity() < needed) values.reserve(needed + needed / 8);
 }
 
 }  // namespace
@@ -97,8 +99,8 @@ ShortRangeView ShortRange::view(double dt) {
 }
 
 void ShortRange::add_forces(std::span<const ContactingBody> bodies, double dt) {
-  insert_broken_pairs(bodies);
   if (near_pairs_.needs_new_list(bodies)) make_list(bodies);
+  insert_broken_pairs(bodies);
   near_pairs_.refresh_foreign(bodies);
   if (is_scalar_)
     evaluate<double>(bodies, dt);
@@ -111,7 +113,7 @@ void ShortRange::add_forces(std::span<const ContactingBody> bodies, double dt) {
 }
 
 void ShortRange::insert_broken_pairs(std::span<const ContactingBody> bodies) {
-  const std::vector<std::uint32_t> list = near_pairs_.members_with_broken_bonds(bodies);
+  const std::vector<std::uint32_t> list = near_pairs_.members_with_broken_bonds();
   const auto members = near_pairs_.members();
   std::vector<std::uint8_t> lacks_room(list.size(), 1);
   const auto insert = [&] {
@@ -126,22 +128,31 @@ void ShortRange::insert_broken_pairs(std::span<const ContactingBody> bodies) {
   };
   insert();
   if (std::ranges::find(lacks_room, 1) == lacks_room.end()) return;
+  std::vector<std::size_t> lacking;
   for (std::size_t place = 0; place < list.size(); ++place)
-    if (lacks_room[place] != 0) give_room(list[place]);
+    if (lacks_room[place] != 0) lacking.push_back(list[place]);
+  give_room(lacking);
   insert();
 }
 
-/// Moves the pairs of a member that are in range to the end of their arrays, where there is room for all of its pairs.
-void ShortRange::give_room(std::size_t m) {
-  const std::size_t from = first_near_[m], to = near_.size() - byte_lanes, room = in_packs(near_pairs_.view().counts[m]);
-  near_.resize(near_.size() + room);  // the next evaluation writes them
-  if (law_.friction > 0)
-    for (fccda::AlignedVector<double>& component : slip_) {
-      component.resize(component.size() + room);
-      std::copy_n(component.begin() + static_cast<std::ptrdiff_t>(from), near_count_[m], component.begin() + static_cast<std::ptrdiff_t>(to));
-    }
-  first_near_[m] = to;
-  near_room_[m] = static_cast<std::uint32_t>(room);
+/// Moves the pairs of some members that are in range to the end of their arrays, where there is room for all of their pairs.
+void ShortRange::give_room(std::span<const std::size_t> lacking) {
+  const PairsView pairs = near_pairs_.view();
+  std::size_t to = near_.size() - byte_lanes, added = 0;
+  for (const std::size_t m : lacking) added += fccda::in_eights(pairs.counts[m]);
+  const auto extend = [&](auto& values) {
+    reserve_more(values, added);
+    values.resize(values.size() + added);
+  };
+  extend(near_);  // the next evaluation writes them
+  if (law_.friction > 0) std::ranges::for_each(slip_, extend);
+  for (const std::size_t m : lacking) {
+    if (law_.friction > 0)
+      for (fccda::AlignedVector<double>& component : slip_) std::copy_n(component.data() + first_near_[m], near_count_[m], component.data() + to);
+    const std::size_t room = fccda::in_eights(pairs.counts[m]);
+    first_near_[m] = to, near_room_[m] = static_cast<std::uint32_t>(room);
+    to += room;
+  }
 }
 
 void ShortRange::enter(const PairSum& sum) {
@@ -287,7 +298,7 @@ void ShortRange::derive_constants() {
   near_room_.assign(members.size(), 0);
   std::size_t count = 0;
   for (std::size_t m = 0; m < members.size(); ++m) {
-    const std::size_t all = pairs.counts[m], room = in_packs(reserves_all_pairs_ ? all : std::min<std::size_t>(pairs.unbonded_counts[m] + spare, all));
+    const std::size_t all = pairs.counts[m], room = fccda::in_eights(reserves_all_pairs_ ? all : std::min<std::size_t>(pairs.unbonded_counts[m] + spare, all));
     first_near_[m] = count, near_room_[m] = static_cast<std::uint32_t>(room);
     count += room;
   }

@@ -114,7 +114,7 @@ class ShortRange {
   };
 
   void insert_broken_pairs(std::span<const ContactingBody> bodies);
-  void give_room(std::size_t member);
+  void give_room(std::span<const std::size_t> members);
   template <class Pack>
   void evaluate(std::span<const ContactingBody> bodies, double dt);
   template <class Visit>

@@ -18,6 +18,7 @@
 #include "perimpact/integrate/stable_step.hpp"
 #include "perimpact/materials/internal_force.hpp"
 #include "perimpact/self_contact/near_pairs.hpp"
+#include "perimpact/self_contact/short_range_kernels.hpp"
 #include "perimpact/simulation/sample_block.hpp"
 
 namespace perimpact {
@@ -39,7 +40,7 @@ std::array<double, 3> cells_of(const BodySetup& setup, const BodySolid& solid, d
 
 /// Mean number of rows per pack of eight in the bond list of a point cloud, from a sample.
 double rows_of_eight(const BodySetup& setup, const Cloud& cloud) {
-  const std::size_t count = cloud.points.size(), eights = (count + fccda::byte_lanes - 1) / fccda::byte_lanes;
+  const std::size_t count = cloud.points.size(), eights = fccda::eights_of(count);
   const double horizon = setup.horizon_ratio * spacing_of(cloud);
   const bool to_the_last = setup.family.as<FamilyRule>() == FamilyRule::hu_ha_bobaru;
   std::vector<double> part(count, 0);  // [m] of the reach, from its own size; cube roots cost more than distances
@@ -111,7 +112,7 @@ double rubble_of(const BodySetup& setup, const FragmentContactSetup& fragments) 
   const double near = (setup.is_plane() ? 8 : 26) * std::pow(fragments.distance_ratio, dimension);
   const double pair = 3.25 * slot_number + of_pair, gap = 4 * pair, found = 2 * slot_number,
                kept = 2 * number + of_pair;  // stored once per pair
-  const double member = 3 * vector + 17 * number;
+  const double member = sizeof(NearPairs::Member) + sizeof(PlaceOfMember) + sizeof(MotionOfMember) + sizeof(PairSum) + 13 * number + 5 * slot_number + 2;
   return listed * (pair + found) + gap + near / 2 * kept + member;
 }
 

@@ -190,6 +190,16 @@ Pile wreck(fixtures::Points points, Plane plane, double share, double damping_ra
   return pile;
 }
 
+/// Breaks the bonds between slots i and j for which breaks(i, j). Every eight counts a broken end, as if it had lost a bond as well.
+template <class Breaks>
+void break_bonds(Body& body, const Breaks& breaks) {
+  body.family.cut(breaks);
+  body.internal.visit_state("", [](const std::string&, auto values) {
+    if constexpr (std::is_same_v<decltype(values), std::span<std::uint32_t>>)
+      for (std::uint32_t& end : values) ++end;
+  });
+}
+
 /// Moves all particles with their velocities.
 void drift(Pile& pile, double dt) {
   for (Body& body : pile.bodies)
@@ -254,14 +264,10 @@ TEST_CASE("short range: bond failure, motion and compaction take effect in the s
       for (Body& body : pile.bodies)
         for (const std::uint32_t slot : body.particles.slot_of())
           body.particles.position.set(slot, body.particles.position.at(slot) + way * Vec3d{move(random), move(random), move(random)});
-      if (round % 4 == 2) {  // everything about one particle breaks, as the bond pass would have it
+      if (round % 4 == 2) {  // all bonds of one particle break
         Body& body = pile.bodies[0];
         const std::size_t where = body.particles.slot_of()[static_cast<std::size_t>(round) * 17];
-        body.family.cut([&](std::size_t i, std::size_t j) { return i == where || j == where; });
-        body.internal.visit_state("", [&](const std::string&, auto values) {
-          if constexpr (std::is_same_v<decltype(values), std::span<std::uint32_t>>)
-            for (std::uint32_t& end : values) ++end;
-        });
+        break_bonds(body, [&](std::size_t i, std::size_t j) { return i == where || j == where; });
       }
       pile.clear_forces();
       contact.add_forces(bodies, dt);
@@ -289,11 +295,7 @@ TEST_CASE("short range: bonds that break need no new list, whether or not it has
   const Lattice& lattice = *body.particles.lattice();
   const std::size_t where = lattice.slot(5, 4, 4);
   const auto cut = [&](const auto& loses_bond_to) {
-    body.family.cut([&](std::size_t i, std::size_t j) { return (i == where && loses_bond_to(j)) || (j == where && loses_bond_to(i)); });
-    body.internal.visit_state("", [&](const std::string&, auto values) {
-      if constexpr (std::is_same_v<decltype(values), std::span<std::uint32_t>>)
-        for (std::uint32_t& end : values) ++end;  // as the bond pass counts them
-    });
+    break_bonds(body, [&](std::size_t i, std::size_t j) { return (i == where && loses_bond_to(j)) || (j == where && loses_bond_to(i)); });
   };
   const auto new_lists = [&] {
     const std::size_t before = contact.near_pairs().times_made();
@@ -331,11 +333,7 @@ TEST_CASE("short range: bond failure in place causes no repulsion, and contact a
     REQUIRE(contact.contacts() == 0);
     const Lattice& lattice = *body.particles.lattice();
     const std::size_t where = lattice.slot(5, 4, 4);  // deep inside, where nothing is listed yet
-    body.family.cut([&](std::size_t i, std::size_t j) { return i == where || j == where; });
-    body.internal.visit_state("", [&](const std::string&, auto values) {
-      if constexpr (std::is_same_v<decltype(values), std::span<std::uint32_t>>)
-        for (std::uint32_t& end : values) ++end;  // as the bond pass counts them
-    });
+    break_bonds(body, [&](std::size_t i, std::size_t j) { return i == where || j == where; });
     const auto evaluate = [&] {
       pile.clear_forces();
       contact.add_forces(bodies, 1e-8), expected.evaluate(pile, 1e-8);
@@ -351,6 +349,36 @@ TEST_CASE("short range: bond failure in place causes no repulsion, and contact a
     CHECK(contact.contacts() >= 1);
     CHECK(contact.energy() > 0);
   }
+}
+
+TEST_CASE("short range: a particle whose bond broke in compression causes repulsion at that distance once it has been out of range") {
+  Pile pile{.law = {}, .bodies = {}};
+  pile.bodies.push_back(fixtures::body({.size = {0.011, 0.009, 0.009}, .spacing = spacing}));
+  Body& body = pile.bodies[0];
+  fixtures::deform(body, [&](const Vec3d& X) { return Vec3d{0.7 * X.x, X.y, X.z}; });
+  const auto bodies = pile.contacts();
+  ShortRange contact(pile.law, bodies);
+  AllPairs expected;
+  constexpr double dt = 1e-6, far = 0.1;
+  const auto evaluate = [&] {
+    pile.clear_forces();
+    contact.add_forces(bodies, dt), expected.evaluate(pile, dt);
+    CHECK(difference(pile, expected) <= 1e-10);
+  };
+  const Lattice& lattice = *body.particles.lattice();
+  const std::size_t one = lattice.slot(5, 4, 4), other = lattice.slot(6, 4, 4);
+  break_bonds(body, [&](std::size_t i, std::size_t j) { return (i == one && j == other) || (i == other && j == one); });
+  evaluate();
+  REQUIRE(contact.energy() == 0);
+  // `one` remains in the list, for the sake of its bonds, but has no pair without a bond
+  const Vec3d place = body.particles.position.at(other);
+  body.particles.position.set(other, place + Vec3d{0, 0, far});
+  evaluate();
+  REQUIRE(contact.near_pairs().times_made() == 2);
+  body.particles.position.set(other, place), body.particles.velocity.set(other, {0, 0, -far / dt});
+  evaluate();
+  CHECK(contact.contacts() == 1);
+  CHECK(contact.energy() > 0);
 }
 
 TEST_CASE("short range: linear momentum is conserved to rounding, angular momentum only without friction") {

@@ -99,23 +99,31 @@ void Floating::update_exposed_surface(const Particles& particles, const Family& 
 Floating::SurfaceChange Floating::update_surface(const Particles& particles, const Family& family, std::span<const std::uint32_t> broken_ends) {
   SurfaceChange change;
   if (water_.drag == 0 && !columns_) return change;
-  std::vector<std::size_t> damaged;  // by their numbers in the list
+  std::vector<std::size_t> damaged;    // by their numbers in the list
+  std::vector<std::uint32_t> changed;  // eights of the list whose bonds have broken
   if (!exposure_) {
     exposure_.emplace(particles, family, broken_ends);
     for (std::size_t k = 0; k < slots_.size(); ++k) {
       if (exposure_->is_exposed(slots_[k])) expose(k);
       if (exposure_->has_lost(slots_[k])) damaged.push_back(k);
     }
+    for (std::uint32_t eight = 0; eight < eights_.count(); ++eight) changed.push_back(eight);
     change.is_exposed = true;
   } else {
-    for (const std::uint32_t slot : exposure_->update(family, broken_ends)) {
-      const auto found = std::lower_bound(slots_.begin(), slots_.end(), slot);
-      if (found != slots_.end() && *found == slot) damaged.push_back(static_cast<std::size_t>(found - slots_.begin()));
-    }
+    const Exposure::Change broken = exposure_->update(family, broken_ends);
+    const auto for_each_listed = [](std::span<const std::uint32_t> these, std::span<const std::uint32_t> list, const auto& f) {
+      for (const std::uint32_t one : these)
+        if (const auto found = std::ranges::lower_bound(list, one); found != list.end() && *found == one) f(static_cast<std::size_t>(found - list.begin()));
+    };
+    for_each_listed(broken.first_lost, slots_, [&](std::size_t k) { damaged.push_back(k); });
+    for_each_listed(broken.eights, eights_.numbers(), [&](std::size_t eight) { changed.push_back(static_cast<std::uint32_t>(eight)); });
     for (const std::size_t k : damaged) expose(k);
     change.is_exposed = !damaged.empty();
   }
-  if (water_.entrained_depth != 0) change.eights = update_intact_share(family, broken_ends);
+  if (water_.entrained_depth != 0) {
+    update_intact_share(family, changed);
+    change.eights = std::move(changed);
+  }
   if (has_dry_top())
     for (const std::size_t k : damaged)
       if (const std::uint32_t top = columns_->top(columns_->column_of(slots_[k])); top != WaterColumns::none && is_dry_[top] != 0) change.tops.push_back(top);
@@ -127,23 +135,14 @@ void Floating::expose(std::size_t k) {
   exposed = static_cast<std::uint8_t>(exposed | 1u << slots_[k] % byte_lanes);
 }
 
-/// Returns the listed eights of which it has changed.
-std::vector<std::uint32_t> Floating::update_intact_share(const Family& family, std::span<const std::uint32_t> broken_ends) {
-  const bool is_first = broken_ends_.empty();
-  if (is_first) broken_ends_.assign(broken_ends.begin(), broken_ends.end());
-  std::vector<std::uint32_t> changed;
-  for (std::uint32_t e = 0; e < eights_.count(); ++e)
-    if (const std::uint32_t eight = eights_.numbers()[e]; is_first || broken_ends[eight] != broken_ends_[eight]) {
-      broken_ends_[eight] = broken_ends[eight];
-      changed.push_back(e);
-    }
+/// `changed`: eights of the list
+void Floating::update_intact_share(const Family& family, std::span<const std::uint32_t> changed) {
   fccda::parallel_for_uneven(static_cast<std::ptrdiff_t>(changed.size()), [&](std::ptrdiff_t number) {
     const std::size_t eight = changed[static_cast<std::size_t>(number)], first = std::size_t{eights_.numbers()[eight]} * byte_lanes;
     fccda::for_each_bit(eights_.lanes()[eight], [&](std::size_t lane) {
       if (exposure_->has_lost(first + lane)) intact_[eight * byte_lanes + lane] = 1 - family.damage(first + lane);
     });
   });
-  return changed;
 }
 
 void Floating::flood(std::span<const std::uint32_t> tops, const Particles& particles) {

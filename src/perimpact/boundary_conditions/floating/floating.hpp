@@ -132,7 +132,7 @@ class Floating {
   Hydrostatics lift(Particles& particles, bool with_squares);
   double flood_top(std::uint32_t top, const Particles& particles);  // [J] that the water loses
   void expose(std::size_t k);
-  std::vector<std::uint32_t> update_intact_share(const Family& family, std::span<const std::uint32_t> broken_ends);
+  void update_intact_share(const Family& family, std::span<const std::uint32_t> changed);
   void record_flooding(double loss);
 
   std::vector<std::uint32_t> slots_;
@@ -147,7 +147,6 @@ class Floating {
   std::vector<double> heights_;                      // [m] by slot; empty on a lattice
   std::vector<double> wetness_;                      // W of each column; empty without an entrained depth
   std::vector<double> intact_;                       // 1 - D by place; empty without an entrained depth
-  std::vector<std::uint32_t> broken_ends_;           // of each eight of the body, when intact_ was updated
   std::vector<std::uint8_t> is_dry_;                 // by place, 1 for the top of a column that is dry there; empty without a dry top
   ForcesOnTheWay forces_;                            // of drag, damping and added mass; empty without them
   double potential_ = 0;                             // [J] at the latest instant
