@@ -22,7 +22,8 @@ endif()
 install(DIRECTORY cases/ DESTINATION ${shared}/cases COMPONENT perimpact USE_SOURCE_PERMISSIONS PATTERN __pycache__ EXCLUDE)
 install(FILES docs/guide/deck.schema.json DESTINATION ${shared}/docs/guide COMPONENT perimpact)
 install(DIRECTORY docs/guide/tutorials/ DESTINATION ${shared}/docs/guide/tutorials COMPONENT perimpact FILES_MATCHING PATTERN "*.yaml")
-install(DIRECTORY ${CMAKE_CURRENT_SOURCE_DIR}/build/docs/ DESTINATION ${CMAKE_INSTALL_DATADIR}/doc/perimpact/html COMPONENT perimpact OPTIONAL
+set(documentation ${CMAKE_CURRENT_SOURCE_DIR}/build/docs)
+install(DIRECTORY ${documentation}/ DESTINATION ${CMAKE_INSTALL_DATADIR}/doc/perimpact/html COMPONENT doc OPTIONAL
   PATTERN .buildinfo EXCLUDE PATTERN objects.inv EXCLUDE)
 
 set(written ${CMAKE_CURRENT_BINARY_DIR}/share)  # by the program (src/cli/CMakeLists.txt)
@@ -47,9 +48,12 @@ endif()
 if(TARGET ranks_library)
   list(APPEND components mpi)
 endif()
+if(EXISTS ${documentation}/index.html)
+  list(APPEND components doc)
+endif()
 foreach(component ${components})
   set(package ${component})
-  string(REGEX REPLACE "^mpi$" perimpact-mpi package ${package})
+  string(REGEX REPLACE "^(mpi|doc)$" "perimpact-\\1" package ${package})
   string(REGEX REPLACE "^fccda$" libfccda-dev package ${package})
   string(REGEX REPLACE "^python$" python3-perimpact package ${package})
   install(FILES packaging/copyright DESTINATION ${CMAKE_INSTALL_DATADIR}/doc/${package} COMPONENT ${component})
@@ -72,7 +76,7 @@ set(CPACK_DEBIAN_PACKAGE_RELEASE 1)
 set(CPACK_DEBIAN_PERIMPACT_PACKAGE_NAME perimpact)
 set(CPACK_DEBIAN_PERIMPACT_PACKAGE_SECTION science)
 set(CPACK_DEBIAN_PERIMPACT_PACKAGE_RECOMMENDS "python3, python3-numpy, python3-matplotlib")  # figures of the cases
-set(CPACK_DEBIAN_PERIMPACT_PACKAGE_SUGGESTS "paraview, gmsh, libfccda-dev, perimpact-mpi, python3-perimpact")
+set(CPACK_DEBIAN_PERIMPACT_PACKAGE_SUGGESTS "perimpact-doc, paraview, gmsh, libfccda-dev, perimpact-mpi, python3-perimpact")
 set(CPACK_COMPONENT_PERIMPACT_DESCRIPTION "Impact of peridynamic bodies, ice first, with rigid bodies of any shape given
 as surface meshes. Bonds between particles break. Contact is detected along the
 whole path of every particle.
@@ -85,6 +89,12 @@ set(CPACK_COMPONENT_MPI_DESCRIPTION "Runs of perimpact as several processes, on 
 The program opens the library of this package, which uses Open MPI.
 .
 The library needs a processor with AVX2 (x86-64-v3).")
+set(CPACK_DEBIAN_DOC_PACKAGE_NAME perimpact-doc)
+set(CPACK_DEBIAN_DOC_PACKAGE_SECTION doc)
+set(CPACK_DEBIAN_DOC_PACKAGE_ARCHITECTURE all)
+set(CPACK_DEBIAN_DOC_PACKAGE_SHLIBDEPS OFF)  # which examines each of some thousand pages
+set(CPACK_COMPONENT_DOC_DESCRIPTION "Documentation of perimpact as static pages that need no network: guide, theory,
+cases, contact library and C++ reference.")
 set(CPACK_DEBIAN_FCCDA_PACKAGE_NAME libfccda-dev)
 set(CPACK_DEBIAN_FCCDA_PACKAGE_SECTION libdevel)
 set(CPACK_DEBIAN_FCCDA_PACKAGE_DEPENDS "zlib1g-dev, libc6-dev")

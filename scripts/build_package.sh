@@ -1,5 +1,6 @@
 #!/usr/bin/env bash
-# Builds the Debian packages, build/package/perimpact_*.deb, perimpact-mpi_*.deb, python3-perimpact_*.deb and libfccda-dev_*.deb, with the documentation in the first.
+# Builds the Debian packages, build/package/perimpact_*.deb, perimpact-mpi_*.deb, python3-perimpact_*.deb, libfccda-dev_*.deb
+# and perimpact-doc_*.deb.
 set -euo pipefail
 cd "$(dirname "$0")/.."
 
