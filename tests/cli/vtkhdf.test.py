@@ -170,7 +170,7 @@ def _(t):
         if (t.folder / "r/checkpoint.h5").exists():
             t.expect_success("run", deck, "--out", "r", *frames, *VTKHDF, "--resume")
             expect_frames(t, "r", "whole")
-        if killed == 8:
+        if killed == 4:
             break
     t.assertGreater(killed, 2)
 
