@@ -6,6 +6,7 @@
 
 #include "base/parallel.hpp"
 #include "perimpact/particles/sum_over_eights.hpp"
+#include "perimpact/self_contact/short_range_kernels.hpp"
 
 namespace perimpact {
 

@@ -16,7 +16,7 @@
 
 #include "perimpact/particles/shared_numbers.hpp"
 #include "perimpact/self_contact/near_pairs.hpp"
-#include "perimpact/self_contact/short_range_kernels.hpp"
+#include "perimpact/self_contact/short_range_view.hpp"
 
 namespace perimpact {
 

@@ -18,7 +18,7 @@
 #include "perimpact/integrate/stable_step.hpp"
 #include "perimpact/materials/internal_force.hpp"
 #include "perimpact/self_contact/near_pairs.hpp"
-#include "perimpact/self_contact/short_range_kernels.hpp"
+#include "perimpact/self_contact/short_range_view.hpp"
 #include "perimpact/simulation/sample_block.hpp"
 
 namespace perimpact {

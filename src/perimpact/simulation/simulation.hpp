@@ -28,16 +28,9 @@
 #include "perimpact/simulation/shared_state.hpp"
 #include "perimpact/simulation/short_range_of.hpp"
 #include "perimpact/simulation/start.hpp"
+#include "perimpact/simulation/time_step.hpp"
 
 namespace perimpact {
-
-/// Time step and its stability limits over all bodies.
-struct Stability {
-  double step;      ///< [s] time step used
-  double estimate;  ///< [s] lower bound of the critical time step (safe_stable_step)
-  /// [s] critical time step of the bodies with their surfaces; computed only if the step exceeds 0.9 of the estimate (exact_stable_step)
-  std::optional<double> exact;
-};
 
 /// User force on the particles of a body.
 struct UserForceOnBody {
