@@ -14,7 +14,6 @@ namespace {
 
 constexpr double far = std::numeric_limits<double>::infinity();
 
-
 template <class F>
 void for_each(std::size_t count, const F& f) {
   fccda::parallel_for(static_cast<std::ptrdiff_t>(count), [&](std::ptrdiff_t number) { f(static_cast<std::size_t>(number)); });
