@@ -17,7 +17,6 @@ namespace {
 
 constexpr std::size_t cloud_row = 64;  // slots per work item of a thread
 
-
 std::vector<std::uint8_t> marked(const Lattice& lattice, const std::function<bool(const Vec3d&)>& inside) {
   std::vector<std::uint8_t> marks(lattice.slots(), 0);
   for (std::size_t slot = 0; slot < marks.size(); ++slot) {
