@@ -36,7 +36,6 @@ NearPairs::NearPairs(const ShortRangeLaw& law, std::span<const ContactingBody> b
     const Particles& particles = bodies[b].particles;
     finest = std::min(finest, particles.spacing());
     const Share& share = shares_.emplace_back(particles.share());
-    exposures_.emplace_back(particles, bodies[b].family, bodies[b].broken_ends);
     std::vector<std::uint32_t>& at = particle_at_.emplace_back(particles.slots(), none);
     for (const std::uint32_t slot : particles.slot_of()) {
       at[slot] = static_cast<std::uint32_t>(particles_.size());
@@ -55,8 +54,15 @@ NearPairs::NearPairs(const ShortRangeLaw& law, std::span<const ContactingBody> b
   first_pair_.assign(1, 0);
 }
 
+void NearPairs::forget() {
+  is_known_ = false;
+  exposures_.clear();
+}
+
 bool NearPairs::needs_new_list(std::span<const ContactingBody> bodies, const Moved& moved) {
   bool is_valid = is_known_;
+  if (exposures_.empty())
+    for (const ContactingBody& body : bodies) exposures_.emplace_back(body.particles, body.family, body.broken_ends);
   broken_eights_.resize(bodies.size());
   for (std::size_t b = 0; b < bodies.size(); ++b) {
     Exposure::Change change = exposures_[b].update(bodies[b].family, bodies[b].broken_ends);
@@ -263,7 +269,7 @@ void NearPairs::make(std::span<const ContactingBody> bodies) {
       for (; pair < first_pair_[m + 1]; ++pair) others_[pair] = 0, bonds_[pair] = no_bond;  // padding, read but not used
     }
   });
-  parts = {};
+  parts = std::vector<Part>();
   fccda::return_freed_memory();  // before other arrays of pairs are made
 }
 

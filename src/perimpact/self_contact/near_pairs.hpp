@@ -84,11 +84,12 @@ class NearPairs {
   /// Calls set(foreign member, value) with value_of(member) of its owner; a member without pairs there has the value T{}. Collective.
   template <class T, class ValueOf, class Set>
   void refresh_members(const ValueOf& value_of, const Set& set) const;
-  /// Forces a rebuild in the next step.
-  void forget() { is_known_ = false; }
+  /// To be called where bonds or positions may have been replaced, as by a restart or the move of a window: the next step derives exposed particles from the
+  /// bonds, and rebuilds the list. Counts of broken ends do not move with the material.
+  void forget();
 
-  /// Members of this rank in eights that had lost bonds at the last call of needs_new_list(): some of their pairs may no longer be bonded
-  /// (insert_broken_pairs()). None after make().
+  /// Members of this rank in eights that had lost bonds at the last call of needs_new_list(): some of their pairs may no longer be bonded, which
+  /// insert_broken_pairs() is to find before the next call. None after make().
   std::vector<std::uint32_t> members_with_broken_bonds() const;
 
   std::span<const Member> members() const { return members_; }  ///< by body and slot
@@ -136,8 +137,8 @@ class NearPairs {
   void name_bonds(std::size_t particle, std::span<const ContactingBody> bodies, std::span<Found> found) const;
 
   ShortRangeLaw law_;
-  double skin_ = 0, longest_ = 0;  // [m] skin, contact distance
-  std::vector<Exposure> exposures_;
+  double skin_ = 0, longest_ = 0;         // [m] skin, contact distance
+  std::vector<Exposure> exposures_;       // of each body; empty until the next step derives them
   std::vector<Share> shares_;             // of each body
   std::vector<std::uint64_t> first_ids_;  // of each body
 

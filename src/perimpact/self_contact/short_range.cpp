@@ -344,7 +344,7 @@ void ShortRange::restore_pairs() {
       if (view.slides()) view.set_slip(to, view.slip_of(first + number));
     });
   });
-  kept_.ends = {}, kept_.slips = {};
+  kept_.ends = std::vector<std::uint64_t>(), kept_.slips = std::vector<double>();  // which frees them
 }
 
 /// Calls f(number) for the pairs of a member in range.

@@ -99,6 +99,31 @@ TEST_CASE("moving window: where nothing from its ends can have arrived, a window
   }
 }
 
+TEST_CASE("moving window: contact between fragments acts on after the material has moved, bitwise as in a body of the whole course") {
+  // late, and by several moves at once
+  constexpr int steps = 36, moves = 5, cells = 512, margin = moves * added + 3 * steps;
+  const auto shattered = [&](int length, double centre) {
+    Setup setup = struck(length, centre, Model::bond_based, steps, {-5, 0, 0});
+    setup.impactors[0].velocity.z = -400;
+    setup.impactors[0].mass = 1e-4, setup.impactors[0].free_dofs = {"z"};  // bounces off
+    return setup;
+  };
+  Setup with_window = shattered(cells, 0);
+  with_window.bodies[0].moving_window = window_after(0.21);
+  Simulation window(with_window), whole(shattered(cells + moves * added, -0.5 * moves * added * spacing));
+  fixtures::run(window), fixtures::run(whole);
+  REQUIRE(window.bodies()[0].particles.lattice()->first[0] == -moves * added);
+  const Body& strip = window.bodies()[0];
+  std::size_t uncounted = 0;
+  for (const std::uint32_t slot : strip.particles.slot_of()) uncounted += strip.family.damage(slot) > 0 && strip.internal.broken_ends()[slot / 8] == 0;
+  REQUIRE(uncounted > 20);  // fragments lie where no bond has broken before
+  CHECK(window.fragments()->contacts() > 100);
+  CHECK(window.fragments()->contacts() == whole.fragments()->contacts());
+  const auto [different, all] = differing(window, whole, 0, moves * added, margin);
+  CHECK(different == 0);
+  CHECK(all > 1000);
+}
+
 TEST_CASE("moving window: ice that has yielded takes its plastic strain along") {
   const int cells = 256, steps = 18;
   const auto yielding = [&](int length, double centre) {

@@ -381,6 +381,29 @@ TEST_CASE("short range: a particle whose bond broke in compression causes repuls
   CHECK(contact.energy() > 0);
 }
 
+TEST_CASE("short range: after forget() broken bonds are found by the bonds themselves, whatever was counted") {
+  constexpr double dt = 1e-8;
+  Pile pile{.law = {}, .bodies = {}};
+  pile.bodies.push_back(fixtures::body({.size = {0.011, 0.009, 0.009}, .spacing = spacing}));
+  Body& body = pile.bodies[0];
+  const auto bodies = pile.contacts();
+  ShortRange contact(pile.law, bodies);
+  AllPairs expected;
+  const auto evaluate = [&] {
+    pile.clear_forces();
+    contact.add_forces(bodies, dt), expected.evaluate(pile, dt);
+    CHECK(difference(pile, expected) <= 1e-10);
+  };
+  evaluate();
+  const std::size_t where = body.particles.lattice()->slot(5, 4, 4);
+  body.family.cut([&](std::size_t i, std::size_t j) { return i == where || j == where; });  // counts nothing, as where a window has moved
+  contact.forget();
+  evaluate();
+  body.particles.position.set(where, body.particles.position.at(where) + Vec3d{0.2 * spacing, 0, 0});
+  evaluate();
+  CHECK(contact.contacts() >= 1);
+}
+
 TEST_CASE("short range: linear momentum is conserved to rounding, angular momentum only without friction") {
   for (const double friction : {0.0, 0.3}) {
     Pile pile = wreck(fixtures::Points::shaken, Plane::none, 0.5, 0.2);

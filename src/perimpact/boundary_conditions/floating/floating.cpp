@@ -103,6 +103,7 @@ Floating::SurfaceChange Floating::update_surface(const Particles& particles, con
   std::vector<std::uint32_t> changed;  // eights of the list whose bonds have broken
   if (!exposure_) {
     exposure_.emplace(particles, family, broken_ends);
+    std::ranges::fill(exposed_, 0), std::ranges::fill(intact_, 1.0);
     for (std::size_t k = 0; k < slots_.size(); ++k) {
       if (exposure_->is_exposed(slots_[k])) expose(k);
       if (exposure_->has_lost(slots_[k])) damaged.push_back(k);

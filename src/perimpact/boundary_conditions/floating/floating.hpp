@@ -117,6 +117,7 @@ class Floating {
       visit_by_slot(
           eights_.place_of(), 1, [&](std::size_t place, std::size_t) -> std::uint8_t& { return is_dry_[place]; },
           [&](std::span<std::uint8_t> numbers) { visit(name + ".dry_tops", ListNumbers(numbers, slots_)); });
+    exposure_.reset();  // derived from the bonds, which may be those of another state
   }
   template <class Visitor>
   void visit_record(const std::string& name, Visitor&& visit) {
