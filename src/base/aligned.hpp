@@ -17,9 +17,11 @@ namespace fccda {
 inline constexpr std::size_t cache_line = 64;              ///< [byte]
 inline constexpr std::size_t huge_page = 2 * 1024 * 1024;  ///< [byte]
 
-#if defined(__linux__) && !defined(__SANITIZE_ADDRESS__)  // which detects errors in memory of operator new only
+#if defined(__linux__)
 /// Memory of an array of `bytes`, which begins at a huge page. The array occupies whole small pages, and is given back to the operating system as soon as it
 /// is freed. operator new of this alignment keeps up to another huge page for each array, which counts towards `ulimit -v` and `-d`. Throws std::bad_alloc.
+///
+/// With sanitizers too, although they do not examine such memory: an array that was made in a library may be freed in a program with other flags.
 class MappedPages {
  public:
   static void* allocate(std::size_t bytes) {
@@ -32,7 +34,9 @@ class MappedPages {
     if (before > 0) munmap(begin, before);
     munmap(memory + length, huge_page - before);
     // complete huge pages only, so that an array occupies no more memory than it is long; without huge pages it is as usable
+#if defined(MADV_HUGEPAGE)
     madvise(memory, bytes / huge_page * huge_page, MADV_HUGEPAGE);
+#endif
     return memory;
   }
   static void free(void* memory, std::size_t bytes) { munmap(memory, in_pages(bytes)); }

@@ -100,7 +100,7 @@ Width of the progress line on a terminal that does not report its own.
 example decks with their results
 .TP
 .I /usr/share/doc/perimpact/html/index.html
-the documentation
+the documentation, of the package perimpact-doc
 )";
 }
 

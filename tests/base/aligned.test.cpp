@@ -53,6 +53,7 @@ TEST_CASE("aligned: huge pages are requested for all whole pages of a large arra
 }
 
 TEST_CASE("aligned: a large array counts towards the address space with its own pages only, and no longer once it is freed") {
+  if (address_space() == 0) return;  // another operating system than Linux
   const std::size_t page = static_cast<std::size_t>(sysconf(_SC_PAGESIZE)), before = address_space();
   {
     const AlignedVector<double> large((5 * huge_page / 2 - 8) / 8);
