@@ -73,7 +73,7 @@ inline void take(Simulation& simulation, const WholeState& state) {
   });
 }
 
-/// Checks that 3 ranks of two threads and 8 of one compute bitwise what one computes: bodies divided along one axis, and along all of them. Returns what one
+/// Checks that 3 ranks of two threads and 8 of one compute bitwise what one computes: lattices divided along one axis, and along two. Returns what one
 /// computes. All pairs are for benchmarks/ranks/equality.py.
 inline Trace expect_equal_on_ranks(const Setup& setup) {
   const Trace one = trace(setup, 1);

@@ -97,7 +97,7 @@ void check_equal(const Whole& a, const Whole& b) {
 }
 
 constexpr int counts[] = {2, 3, 4, 7, 8};
-constexpr int strips_and_boxes[] = {3, 8};  // divided along one axis, and along all of them
+constexpr int strips_and_boxes[] = {3, 8};  // divided along one axis, and along two
 
 }  // namespace
 

@@ -25,6 +25,15 @@ Hydrostatics lift_eight(const WaterView& body, std::size_t eight, bool with_squa
   return {sum_of_lanes(lift), sum_of_lanes(potential), squared};
 }
 
+/// Indices in a list of those values that it contains; both ascending.
+std::vector<std::uint32_t> indices_in(std::span<const std::uint32_t> list, std::span<const std::uint32_t> values) {
+  std::vector<std::uint32_t> indices;
+  for (const std::uint32_t value : values)
+    if (const auto found = std::ranges::lower_bound(list, value); found != list.end() && *found == value)
+      indices.push_back(static_cast<std::uint32_t>(found - list.begin()));
+  return indices;
+}
+
 }  // namespace
 
 std::optional<double> floating_level(const Particles& particles, std::span<const std::uint32_t> slots, const Water& water) {
@@ -99,32 +108,25 @@ void Floating::update_exposed_surface(const Particles& particles, const Family& 
 Floating::SurfaceChange Floating::update_surface(const Particles& particles, const Family& family, std::span<const std::uint32_t> broken_ends) {
   SurfaceChange change;
   if (water_.drag == 0 && !columns_) return change;
-  std::vector<std::size_t> damaged;    // by their numbers in the list
-  std::vector<std::uint32_t> changed;  // eights of the list whose bonds have broken
+  const bool entrains = water_.entrained_depth != 0;
+  std::vector<std::uint32_t> damaged;  // by their numbers in the list
   if (!exposure_) {
     exposure_.emplace(particles, family, broken_ends);
     std::ranges::fill(exposed_, 0), std::ranges::fill(intact_, 1.0);
     for (std::size_t k = 0; k < slots_.size(); ++k) {
       if (exposure_->is_exposed(slots_[k])) expose(k);
-      if (exposure_->has_lost(slots_[k])) damaged.push_back(k);
+      if (exposure_->has_lost(slots_[k])) damaged.push_back(static_cast<std::uint32_t>(k));
     }
-    for (std::uint32_t eight = 0; eight < eights_.count(); ++eight) changed.push_back(eight);
+    for (std::uint32_t eight = 0; entrains && eight < eights_.count(); ++eight) change.eights.push_back(eight);
     change.is_exposed = true;
   } else {
     const Exposure::Change broken = exposure_->update(family, broken_ends);
-    const auto for_each_listed = [](std::span<const std::uint32_t> these, std::span<const std::uint32_t> list, const auto& f) {
-      for (const std::uint32_t one : these)
-        if (const auto found = std::ranges::lower_bound(list, one); found != list.end() && *found == one) f(static_cast<std::size_t>(found - list.begin()));
-    };
-    for_each_listed(broken.first_lost, slots_, [&](std::size_t k) { damaged.push_back(k); });
-    for_each_listed(broken.eights, eights_.numbers(), [&](std::size_t eight) { changed.push_back(static_cast<std::uint32_t>(eight)); });
+    damaged = indices_in(slots_, broken.first_lost);
+    if (entrains) change.eights = indices_in(eights_.numbers(), broken.eights);
     for (const std::size_t k : damaged) expose(k);
     change.is_exposed = !damaged.empty();
   }
-  if (water_.entrained_depth != 0) {
-    update_intact_share(family, changed);
-    change.eights = std::move(changed);
-  }
+  update_intact_share(family, change.eights);
   if (has_dry_top())
     for (const std::size_t k : damaged)
       if (const std::uint32_t top = columns_->top(columns_->column_of(slots_[k])); top != WaterColumns::none && is_dry_[top] != 0) change.tops.push_back(top);
