@@ -14,17 +14,18 @@
 
 namespace fccda {
 
-inline constexpr std::size_t cache_line = 64;              ///< [byte]
-inline constexpr std::size_t huge_page = 2 * 1024 * 1024;  ///< [byte]
-
-#if defined(__linux__)
-/// Memory of an array of `bytes`, which begins at a huge page. The array occupies whole small pages, and is given back to the operating system as soon as it
-/// is freed. operator new of this alignment keeps up to another huge page for each array, which counts towards `ulimit -v` and `-d`. Throws std::bad_alloc.
+/// Memory of large arrays, which begins at a huge page. Under Linux an array occupies whole small pages, and is given back to the operating system as soon as
+/// it is freed. operator new of this alignment, which serves elsewhere, keeps up to another huge page for each array, which counts towards `ulimit -v` and
+/// `-d`.
 ///
 /// With sanitizers too, although they do not examine such memory: an array that was made in a library may be freed in a program with other flags.
 class MappedPages {
  public:
+  static constexpr std::size_t huge_page = 2 * 1024 * 1024;  ///< [byte]
+
+  /// Memory of `bytes`, zero under Linux. Throws std::bad_alloc.
   static void* allocate(std::size_t bytes) {
+#if defined(__linux__)
     const std::size_t length = in_pages(bytes);
     void* const mapped = mmap(nullptr, length + huge_page, PROT_READ | PROT_WRITE, MAP_PRIVATE | MAP_ANONYMOUS, -1, 0);
     if (mapped == MAP_FAILED) throw std::bad_alloc();
@@ -33,34 +34,40 @@ class MappedPages {
     char* const memory = begin + before;
     if (before > 0) munmap(begin, before);
     munmap(memory + length, huge_page - before);
-    // complete huge pages only, so that an array occupies no more memory than it is long; without huge pages it is as usable
 #if defined(MADV_HUGEPAGE)
+    // complete huge pages only, so that an array occupies no more memory than it is long; without huge pages it is as usable
     madvise(memory, bytes / huge_page * huge_page, MADV_HUGEPAGE);
 #endif
     return memory;
+#else
+    return ::operator new (bytes, std::align_val_t{huge_page});
+#endif
   }
-  static void free(void* memory, std::size_t bytes) { munmap(memory, in_pages(bytes)); }
 
+  /// Frees memory of allocate(), of the same `bytes`.
+  static void free(void* memory, [[maybe_unused]] std::size_t bytes) {
+#if defined(__linux__)
+    munmap(memory, in_pages(bytes));
+#else
+    ::operator delete (memory, std::align_val_t{huge_page});
+#endif
+  }
+
+#if defined(__linux__)
  private:
   static std::size_t in_pages(std::size_t bytes) {
     static const auto page = static_cast<std::size_t>(sysconf(_SC_PAGESIZE));
     return (bytes + page - 1) / page * page;
   }
-};
-#else
-/// The same where the operating system is not asked for pages.
-class MappedPages {
- public:
-  static void* allocate(std::size_t bytes) { return ::operator new (bytes, std::align_val_t{huge_page}); }
-  static void free(void* memory, std::size_t) { ::operator delete (memory, std::align_val_t{huge_page}); }
-};
 #endif
+};
 
 /// Allocator of std::vector whose memory begins at a cache line. That of an array of 2 MiB or more begins at a huge page, and the operating system is asked
 /// to provide huge pages: scattered access to pages of 4 KiB waits for their addresses (with a step of rubble on ice, a tenth of its time).
 template <class T>
 struct CacheLineAllocator {
-  using value_type = T;  ///< of the vector
+  using value_type = T;                         ///< of the vector
+  static constexpr std::size_t alignment = 64;  ///< a cache line [byte]
 
   CacheLineAllocator() = default;
   /// Allocators of all types are interchangeable.
@@ -70,12 +77,12 @@ struct CacheLineAllocator {
   /// Memory for `count` values, without construction. Throws std::bad_alloc.
   T* allocate(std::size_t count) {
     const std::size_t bytes = count * sizeof(T);
-    return static_cast<T*>(bytes < huge_page ? ::operator new (bytes, std::align_val_t{cache_line}) : MappedPages::allocate(bytes));
+    return static_cast<T*>(bytes < MappedPages::huge_page ? ::operator new (bytes, std::align_val_t{alignment}) : MappedPages::allocate(bytes));
   }
   /// Frees memory of allocate(), of the same count.
   void deallocate(T* pointer, std::size_t count) {
-    if (const std::size_t bytes = count * sizeof(T); bytes < huge_page)
-      ::operator delete (pointer, std::align_val_t{cache_line});
+    if (const std::size_t bytes = count * sizeof(T); bytes < MappedPages::huge_page)
+      ::operator delete (pointer, std::align_val_t{alignment});
     else
       MappedPages::free(pointer, bytes);
   }

@@ -41,29 +41,30 @@ std::size_t address_space() {
 }  // namespace
 
 TEST_CASE("aligned: arrays begin at a cache line, those of a huge page or more at one") {
-  for (const std::size_t bytes : {std::size_t{8}, std::size_t{1000}, huge_page - 8}) CHECK(place_of(AlignedVector<double>(bytes / 8)) % 64 == 0);
-  for (const std::size_t bytes : {huge_page, huge_page + 8, 5 * huge_page / 2}) CHECK(place_of(AlignedVector<double>(bytes / 8)) % huge_page == 0);
+  for (const std::size_t bytes : {std::size_t{8}, std::size_t{1000}, MappedPages::huge_page - 8}) CHECK(place_of(AlignedVector<double>(bytes / 8)) % 64 == 0);
+  for (const std::size_t bytes : {MappedPages::huge_page, MappedPages::huge_page + 8, 5 * MappedPages::huge_page / 2})
+    CHECK(place_of(AlignedVector<double>(bytes / 8)) % MappedPages::huge_page == 0);
 }
 
 TEST_CASE("aligned: huge pages are requested for all whole pages of a large array") {
   if (!std::filesystem::exists("/sys/kernel/mm/transparent_hugepage")) return;  // a kernel without them
-  const AlignedVector<double> large(5 * huge_page / 2 / 8);
+  const AlignedVector<double> large(5 * MappedPages::huge_page / 2 / 8);
   CHECK(flags_of(place_of(large)).find(" hg ") != std::string::npos);
-  CHECK(flags_of(place_of(large) + 2 * huge_page - 8).find(" hg ") != std::string::npos);
+  CHECK(flags_of(place_of(large) + 2 * MappedPages::huge_page - 8).find(" hg ") != std::string::npos);
 }
 
 TEST_CASE("aligned: a large array counts towards the address space with its own pages only, and no longer once it is freed") {
   if (address_space() == 0) return;  // another operating system than Linux
   const std::size_t page = static_cast<std::size_t>(sysconf(_SC_PAGESIZE)), before = address_space();
   {
-    const AlignedVector<double> large((5 * huge_page / 2 - 8) / 8);
-    CHECK(address_space() - before == 5 * huge_page / 2 / page * page);
+    const AlignedVector<double> large((5 * MappedPages::huge_page / 2 - 8) / 8);
+    CHECK(address_space() - before == 5 * MappedPages::huge_page / 2 / page * page);
   }
   CHECK(address_space() == before);
 }
 
 TEST_CASE("aligned: an array keeps its values as it grows from small to large") {
   AlignedVector<std::uint32_t> values;
-  for (std::uint32_t n = 0; n < 2 * huge_page / 4; ++n) values.push_back(n);
+  for (std::uint32_t n = 0; n < 2 * MappedPages::huge_page / 4; ++n) values.push_back(n);
   for (std::uint32_t n = 0; n < values.size(); ++n) REQUIRE(values[n] == n);
 }

@@ -8,8 +8,8 @@
 #include <utility>
 #include <vector>
 
-#include "perimpact/boundary_conditions/actions/listed_eights.hpp"
 #include "perimpact/particles/advance.hpp"
+#include "perimpact/particles/sum_over_eights.hpp"
 
 namespace perimpact::device {
 

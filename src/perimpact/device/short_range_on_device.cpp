@@ -4,9 +4,9 @@
 #include <optional>
 #include <utility>
 
-#include "perimpact/boundary_conditions/actions/listed_eights.hpp"
 #include "perimpact/device/body_passes.hpp"
 #include "perimpact/device/kernels.hpp"
+#include "perimpact/particles/sum_over_eights.hpp"
 
 namespace perimpact {
 

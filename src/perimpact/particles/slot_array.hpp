@@ -8,6 +8,7 @@
 
 #include "base/aligned.hpp"
 #include "base/contract.hpp"
+#include "base/pack.hpp"
 #include "base/vec3.hpp"
 
 namespace perimpact {
@@ -21,7 +22,7 @@ class SlotArray {
   SlotArray() = default;
   /// `slack`: reach of the stencil in slots. All numbers are initialised to `value`.
   SlotArray(std::size_t slots, std::size_t slack, double value = 0)
-      : slots_(slots), slack_((slack + 7) / 8 * 8), stride_((slots + 7) / 8 * 8 + 2 * slack_), numbers_(components * stride_, value) {}
+      : slots_(slots), slack_(fccda::in_eights(slack)), stride_(fccda::in_eights(slots) + 2 * slack_), numbers_(components * stride_, value) {}
 
   std::size_t slots() const { return slots_; }
   std::span<const double> with_slack() const { return numbers_; }  ///< of all components, one after the other

@@ -47,6 +47,18 @@ constexpr Traffic reduction_of_sums() {
 /// Exact sum of numbers of all ranks. Collective.
 inline double exact_sum(Ranks& ranks, std::span<const double> numbers) { return value_of_all(ranks, fccda::exact_sum(numbers)); }
 
+/// f(0) + f(1) + …, where f(e) is the plain sum over one of `count` eights: their exact sum, over all ranks; collective. Parallel, as exact_sum_over_eights().
+template <class F>
+auto exact_sum_of_eights(Ranks& ranks, std::size_t count, const F& f) {
+  using Value = std::decay_t<decltype(f(std::size_t{}))>;
+  constexpr std::size_t share_size = 32;
+  return value_of_all(ranks, fccda::exact_sum_of_shares<Value>(static_cast<std::ptrdiff_t>((count + share_size - 1) / share_size),
+                                                               [&](std::ptrdiff_t share, fccda::ExactSums<Value>& sums) {
+                                                                 const std::size_t begin = static_cast<std::size_t>(share) * share_size;
+                                                                 for (std::size_t e = begin; e < std::min(begin + share_size, count); ++e) sums.add(f(e));
+                                                               }));
+}
+
 /// f(0) + f(1) + …, `count` of them, each a double or a struct of doubles with +=. Consecutive k of equal eight_of(k) are summed in order, their sums exactly.
 /// Parallel; f is called once for each k and may write data of its index. The sum over all ranks; collective.
 template <class EightOf, class F>

@@ -7,6 +7,7 @@
 #include <random>
 #include <vector>
 
+#include "base/pack.hpp"
 #include "perimpact/discretisation/space_order.hpp"
 #include "perimpact/particles/particles.hpp"
 #include "perimpact/ranks/in_process.hpp"
@@ -37,7 +38,7 @@ TEST_CASE("cloud part: every rank has the points within reach of its own, and af
     std::vector<int> owners(cloud.points.size(), 0);
     std::mutex mutex;
     run_in_process(count, [&](Ranks& ranks) {
-      const CloudPartition partition((cloud.points.size() + 7) / 8, count, 1);
+      const CloudPartition partition(fccda::eights_of(cloud.points.size()), count, 1);
       const Share share(ranks, CloudParts(cloud, reach, partition).of(ranks.rank()));
       const Particles particles(cloud, 1, share);
       std::vector<double> values(particles.slots(), -1);
@@ -79,7 +80,7 @@ TEST_CASE("cloud part: every rank has the points within reach of its own, and af
 
 TEST_CASE("cloud part: numbers of eights are gathered in the order of the whole cloud, also where eights have unequal numbers, and each rank takes its own") {
   const Cloud cloud = slab(403);
-  const std::size_t eights = (cloud.points.size() + 7) / 8;
+  const std::size_t eights = fccda::eights_of(cloud.points.size());
   const auto rows_of = [](std::size_t eight) { return 1 + eight * 7 % 5; };
   std::vector<int> expected;
   for (std::size_t eight = 0; eight < eights; ++eight)

@@ -9,7 +9,6 @@
 #include <utility>
 #include <vector>
 
-#include "base/exact_sum.hpp"
 #include "base/host_device.hpp"
 #include "base/pack.hpp"
 #include "perimpact/particles/sum_over_eights.hpp"
@@ -89,18 +88,6 @@ FCCDA_HD inline double sum_of_lanes(const double* numbers) {
   double sum = numbers[0];
   for (std::size_t lane = 1; lane < fccda::byte_lanes; ++lane) sum += numbers[lane];
   return sum;
-}
-
-/// f(0) + f(1) + …, where f(e) is the plain sum over one of `count` eights: their exact sum, over all ranks; collective. Parallel, as exact_sum_over_eights().
-template <class F>
-auto exact_sum_of_eights(Ranks& ranks, std::size_t count, const F& f) {
-  using Value = std::decay_t<decltype(f(std::size_t{}))>;
-  constexpr std::size_t share_size = 32;
-  return value_of_all(ranks, fccda::exact_sum_of_shares<Value>(static_cast<std::ptrdiff_t>((count + share_size - 1) / share_size),
-                                                               [&](std::ptrdiff_t share, fccda::ExactSums<Value>& sums) {
-                                                                 const std::size_t begin = static_cast<std::size_t>(share) * share_size;
-                                                                 for (std::size_t e = begin; e < std::min(begin + share_size, count); ++e) sums.add(f(e));
-                                                               }));
 }
 
 }  // namespace perimpact
