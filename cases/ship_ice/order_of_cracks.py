@@ -20,7 +20,7 @@ SINCE_CONTACT = 0.9  # [s]
 VARIANTS = {  # folder: title, time [s] since contact
     "ductile": ("flows, whole sheet", SINCE_CONTACT),
     "top_layer_whole": ("flows, all but the top layer cut", SINCE_CONTACT),
-    "cut": ("flows, cut along the course", SINCE_CONTACT),
+    "cut": ("flows, cut along the track", SINCE_CONTACT),
     "crushing": ("is crushed, whole sheet", 2.1),
 }
 

@@ -30,10 +30,10 @@ variant hardening_0.2 $sheet.failure.compression_hardening=0.2
 # Six layers
 variant six_layers "$sheet.spacing=0.3333333333333333 m" "time.step=0.147 ms"
 
-# Which crack opens first: first metres of the bow in ice that is crushed or flows; the sheet cut along the course, through all layers or all but the top one
+# Which crack opens first: first metres of the bow in ice that is crushed or flows; the sheet cut along the track, through all layers or all but the top one
 deck="$case/crushing.yaml"
 ductile="$sheet.material.plasticity={compressive_strength: 2.3 MPa}"
-cut() { echo "$sheet.cracks={course: {polygon: [[-24, 0, -2], [24, 0, -2], [24, 0, $1], [-24, 0, $1]]}}"; }
+cut() { echo "$sheet.cracks={track: {polygon: [[-24, 0, -2], [24, 0, -2], [24, 0, $1], [-24, 0, $1]]}}"; }
 variant crushing
 variant ductile "$ductile" "time.end=2.1 s" output.frames=21
 variant top_layer_whole "$ductile" "$(cut 0.6)" "time.end=2.1 s" output.frames=21

@@ -37,7 +37,7 @@ def run_of(folder):
 
 def main():
     runs = dict(run_of(Path(name)) for name in sys.argv[1:])
-    print("| test | H [m] | V [m/s] | σ_f [kPa] | σ_c [MPa] | E [MPa] | measured [kN] | run [kN] | Lindqvist | its R_c + R_b | Riska | ISO 19906, breaking |")
+    print("| test | H [m] | V [m/s] | σ_f [kPa] | σ_c [MPa] | E [MPa] | measured [kN] | run [kN] | Lindqvist | Lindqvist, R_c + R_b | Riska | ISO 19906, breaking |")
     print("|---|---|---|---|---|---|---|---|---|---|---|---|")
     for number, test in tests().items():
         ship = ship_in(test)

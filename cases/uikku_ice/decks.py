@@ -78,7 +78,8 @@ def deck(number, test, is_free=False):
         motion = f"""velocity: [{-ship.speed:g} m/s, 0, 0]
     free_dofs: [x, z]
     floating: {{level: 0, damping: 1}}
-    loads: {{thrust: {{force: [{-test["resistance"]:g} kN, 0, 0]}}}}    # the resistance that was measured at this speed"""
+    # the resistance that was measured at this speed; until the whole breadth is in the ice the thrust grows as the bow does in it
+    loads: {{thrust: {{force: [{-test["resistance"]:g} kN, 0, 0], times: [0, {ASTERN / ship.speed:g}], factors: [0, 1]}}}}"""
     strength = (1 - ship.poisson**2) * test["flexural strength"]
     return f"""# yaml-language-server: $schema=../../docs/guide/deck.schema.json
 # MT Uikku in level ice, model test {number} of Hu and Zhou (2016) at full scale. Written by decks.py: why each number is what it is, and what was

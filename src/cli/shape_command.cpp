@@ -24,11 +24,11 @@ using namespace fccda;
 namespace {
 
 std::string_view sentence_of(std::string_view shape) {
-  constexpr std::pair<std::string_view, std::string_view> known[] = {{"cylinder", "A circular cylinder."},
-                                                                     {"sphere", "A sphere, subdivided from an icosahedron."},
-                                                                     {"box", "A box."},
-                                                                     {"hull", "The hull of an icebreaker, from its main dimensions and angles."},
-                                                                     {"propeller", "A propeller: Wageningen B-series, or user-defined sections."}};
+  constexpr std::pair<std::string_view, std::string_view> known[] = {{"cylinder", "A circular cylinder"},
+                                                                     {"sphere", "A sphere, subdivided from an icosahedron"},
+                                                                     {"box", "A box"},
+                                                                     {"hull", "The hull of an icebreaker, from its main dimensions and angles"},
+                                                                     {"propeller", "A propeller: Wageningen B-series, or user-defined sections"}};
   const auto found = std::find_if(std::begin(known), std::end(known), [&](const auto& one) { return one.first == shape; });
   return found == std::end(known) ? "" : found->second;
 }
@@ -39,9 +39,12 @@ std::string option_name(std::string key) {
   return "--" + key;
 }
 
+/// Without its last full stop, as in the table of commands.
 std::string help_of(const deck::Entry& entry) {
   const std::string range = entry.range.empty() ? "" : ", " + entry.range;
-  return fmt::format("{}{}; {}. {}", entry.form, range, entry.need, entry.sentence);
+  std::string help = fmt::format("{}{}; {}. {}", entry.form, range, entry.need, entry.sentence);
+  if (help.ends_with('.')) help.pop_back();
+  return help;
 }
 
 /// The map of the options, as below `surface` in a deck.

@@ -140,6 +140,12 @@ def _(t):
         raise unittest.SkipTest("neither man nor mandoc is installed")
 
 
+@claim("command line: no sentence of the manual ends in two full stops")
+def _(t):
+    for words in (["manual"], ["manual", "--markdown"]):
+        t.assertNotRegex(t.expect_success(*words).out, r"[^.]\.\.(\s|\||$)")
+
+
 @claim("command line: the page of the guide is that of the program")
 def _(t):
     t.assertTrue(t.expect_success("manual", "--markdown").out == (ROOT / "docs/guide/command_line.md").read_text(),

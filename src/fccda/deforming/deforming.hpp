@@ -152,6 +152,12 @@ class Deforming final : public SlidingSurface {
     SideRecord::visit_state(sides_, visit);
   }
 
+  /// The same for statistics, which depend on the cached distances.
+  template <class Visitor>
+  void visit_record(Visitor&& visit) {
+    effort_.visit(visit);
+  }
+
  private:
   /// Distances are searched this many steps ahead: most points found are then not evaluated again for as long.
   static constexpr double look_ahead_factor = 64;

@@ -40,6 +40,7 @@ struct Body {
     particles.visit_state(name, shared);
     family.visit_state(name, shared);
     internal.visit_state(name, shared);
+    internal.derive_from_state(particles, family);
   }
 
   /// Recorded data that do not affect any step.

@@ -41,7 +41,7 @@ std::span<const Field<FailureSetup>> FailureSetup::fields() {
                                  {"compression_hardening", &S::compression_hardening, "1", between(0, 1), optional,
                                   "Confinement-dependent critical stretch: it grows by α times the largest compression of a bond of the two particles (their "
                                   "mean). In uniaxial compression a body of ν = 0.25 is then 1/(0.37 - α) times as strong as in tension: 0.17 for 5, 0.27 for "
-                                  "10, as for ice. It adds a third to a half to the cost of a force evaluation."},
+                                  "10, as for ice. It is evaluated only for bonds that exceed their limit at rest."},
                                  {"weibull_modulus", &S::weibull_modulus, "1", between(1, 1000), optional,
                                   "Scatter: the critical stretch of each particle is multiplied by a Weibull-distributed random factor with this modulus and "
                                   "mean 1; a bond takes the mean of its two particles. Where absent, no scatter."},

@@ -47,6 +47,10 @@ class DeformingPart {
     if (const auto* modes = std::get_if<std::unique_ptr<fccda::ElasticBody>>(&structure_)) (*modes)->visit_state(visit), follow(**modes);
     for (std::size_t b = 0; b < detectors_.size(); ++b) detectors_[b].visit_state(fccda::under(std::to_string(b) + ".deforming", visit));
   }
+  template <class Visitor>
+  void visit_record(Visitor&& visit) {
+    for (std::size_t b = 0; b < detectors_.size(); ++b) detectors_[b].visit_record(fccda::under(std::to_string(b) + ".deforming", visit));
+  }
 
  private:
   void follow(const fccda::ElasticBody& body);

@@ -208,6 +208,7 @@ class Impactor {
     auto its = fccda::under(name_, visit);
     for (std::size_t b = 0; b < detectors_.size(); ++b)
       std::visit([&](auto& detector) { detector.visit_record(fccda::under(std::to_string(b), its)); }, detectors_[b]);
+    if (deforming_) deforming_->visit_record(its);
     auto account = fccda::under("account", its);
     fccda::visit_vector(account, "impulse", account_.impulse);
     fccda::visit_vector(account, "angular_impulse", account_.angular_impulse);

@@ -88,6 +88,15 @@ class InternalForce {
         kind_);
   }
 
+  /// To be called after visit_state(): restores what follows from the state (PlasticForce::derive_from_state). Collective.
+  void derive_from_state(const Particles& particles, const Family& family) {
+    std::visit(
+        [&](auto& force) {
+          if constexpr (requires { force.derive_from_state(particles, family); }) force.derive_from_state(particles, family);
+        },
+        kind_);
+  }
+
   /// Accumulated energies; they do not affect any step.
   template <class Visitor>
   void visit_record(const std::string& name, Visitor&& visit) {

@@ -81,12 +81,12 @@ std::vector<std::byte> MovedState::list(std::string_view name, const std::vector
   return from;
 }
 
-bool MovedState::is_of_all_particles(std::string_view name, std::size_t numbers, std::size_t slots) const {
-  if (!name.starts_with(body_.name + ".")) return false;
+std::size_t MovedState::numbers_of_each_particle(std::string_view name, std::size_t numbers, std::size_t slots) const {
+  if (!name.starts_with(body_.name + ".")) return 0;
   std::array<std::int64_t, 2> counts{static_cast<std::int64_t>(numbers), static_cast<std::int64_t>(slots)};
   body_.particles.share().ranks().sum(counts);
   const auto all = static_cast<std::int64_t>(body_.particles.whole_lattice()->slots());
-  return counts[0] == all && counts[1] == all;
+  return counts[1] == all ? static_cast<std::size_t>(counts[0] / all) : 0;
 }
 
 // Bonds to or from new material are intact, and those to discarded material do not exist. `to`: all bonds of the newly built body.

@@ -62,7 +62,8 @@ class MovedState {
       if constexpr (requires { values.per_eight; }) {
         if (values.share == &body_.particles.share() && !name.ends_with("_of_eight")) return eights(name, numbers_of<T>(from), numbers, values.per_eight.each);
       } else if constexpr (requires { values.slots; }) {
-        if (is_of_all_particles(name, numbers.size(), values.slots.size())) return of_particles(numbers_of<T>(from), numbers, values.slots);
+        if (const std::size_t each = numbers_of_each_particle(name, numbers.size(), values.slots.size()); each != 0)
+          return of_particles(numbers_of<T>(from), numbers, values.slots, each);
       }
       copy(from, std::as_writable_bytes(numbers));
     }
@@ -90,15 +91,18 @@ class MovedState {
     share.shift(*body_.particles.lattice(), std::span<const T>(from), to, per_eight, body_.cells);
     if (std::is_floating_point_v<T> && per_eight == fccda::byte_lanes) share.refresh({to.data()});
   }
-  /// A list of one number of each particle of the body.
+  /// A list of the same number of numbers of each particle of the body.
   template <class T>
-  void of_particles(const std::vector<T>& from, std::span<T> to, std::span<const std::uint32_t> slots) const {
+  void of_particles(const std::vector<T>& from, std::span<T> to, std::span<const std::uint32_t> slots, std::size_t each) const {
     std::vector<T> before(body_.particles.slots()), after(before.size());
-    for (std::size_t k = 0; k < slots.size(); ++k) before[slots[k]] = from[k], after[slots[k]] = to[k];
-    body_.particles.share().shift(*body_.particles.lattice(), std::span<const T>(before), std::span<T>(after), fccda::byte_lanes, body_.cells);
-    for (std::size_t k = 0; k < slots.size(); ++k) to[k] = after[slots[k]];
+    for (std::size_t c = 0; c < each; ++c) {
+      for (std::size_t k = 0; k < slots.size(); ++k) before[slots[k]] = from[k * each + c], after[slots[k]] = to[k * each + c];
+      body_.particles.share().shift(*body_.particles.lattice(), std::span<const T>(before), std::span<T>(after), fccda::byte_lanes, body_.cells);
+      for (std::size_t k = 0; k < slots.size(); ++k) to[k * each + c] = after[slots[k]];
+    }
   }
-  bool is_of_all_particles(std::string_view name, std::size_t numbers, std::size_t slots) const;
+  /// How many numbers of each particle this list has; 0 if it is not one of all particles of the body. `numbers`, `slots`: on this rank. Collective.
+  std::size_t numbers_of_each_particle(std::string_view name, std::size_t numbers, std::size_t slots) const;
   void bonds(std::span<const std::uint8_t> from, std::span<std::uint8_t> to, std::size_t per_eight) const;
   /// The slot after the move of that slot before it, on the lattice of the whole body; none if it is discarded.
   std::optional<std::size_t> target(std::size_t whole_slot) const;

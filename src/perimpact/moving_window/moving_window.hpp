@@ -1,4 +1,4 @@
-/// Moving window: a body on a lattice that follows an impactor, so that a long course costs no more than the material around the impactor
+/// Moving window: a body on a lattice that follows an impactor, so that a long track costs no more than the material around the impactor
 /// (docs/theory/moving_window.md).
 ///
 /// The lattice is a window onto an unbounded one. When it moves by whole cells, each slot takes over the state of the slot ahead of it; the slots at the front

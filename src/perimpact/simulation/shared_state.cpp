@@ -19,7 +19,8 @@ bool is_ends_of_pairs(std::string_view name) { return name == "fragments.pair_en
 bool is_slips_of_pairs(std::string_view name) { return name == "fragments.pair_slips"; }
 
 bool is_counter_of_work(std::string_view name) {
-  return name.ends_with(".points_in_bounds") || name.ends_with(".points_tested") || name.ends_with(".panels_tested") || name.ends_with(".entered_inside");
+  return name.ends_with(".points_in_bounds") || name.ends_with(".points_tested") || name.ends_with(".panels_tested") || name.ends_with(".entered_inside") ||
+         name.find(".rejected_by_") != std::string_view::npos;
 }
 
 }  // namespace perimpact

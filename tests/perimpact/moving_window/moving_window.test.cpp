@@ -1,10 +1,12 @@
-// Moving windows: the material around an impactor in place of the whole course (docs/theory/moving_window.md).
+// Moving windows: the material around an impactor in place of the whole track (docs/theory/moving_window.md).
 #include <doctest/doctest.h>
 
 #include <algorithm>
 #include <cmath>
 #include <functional>
 #include <string>
+#include <string_view>
+#include <type_traits>
 #include <vector>
 
 #include "base/parallel.hpp"
@@ -60,7 +62,7 @@ MovingWindowSetup window_after(double travel, WindowAxis axis = WindowAxis::x) {
 }
 
 /// Particles of the window, at least `margin` cells from its ends, whose velocity, displacement or damage differs in any bit from that of the body of the whole
-/// course at the same place, which begins `before` cells earlier; and all such particles.
+/// track at the same place, which begins `before` cells earlier; and all such particles.
 std::array<std::size_t, 2> differing(const Simulation& window, const Simulation& whole, std::size_t axis, int before, int margin) {
   const Particles &one = window.bodies()[0].particles, &other = whole.bodies()[0].particles;
   const Lattice& lattice = *one.lattice();
@@ -79,7 +81,7 @@ std::array<std::size_t, 2> differing(const Simulation& window, const Simulation&
 
 }  // namespace
 
-TEST_CASE("moving window: where nothing from its ends can have arrived, a window is bitwise in the state of a body of the whole course") {
+TEST_CASE("moving window: where nothing from its ends can have arrived, a window is bitwise in the state of a body of the whole track") {
   for (const Model model : {Model::bond_based, Model::ordinary_state}) {
     // the sheet is struck, and then the window moves by eight cells; a step carries rounding over three cells, and over six with dilatations
     const int steps = model == Model::bond_based ? 18 : 14, margin = added + steps * (model == Model::bond_based ? 3 : 6), cells = 256;
@@ -99,7 +101,7 @@ TEST_CASE("moving window: where nothing from its ends can have arrived, a window
   }
 }
 
-TEST_CASE("moving window: contact between fragments acts on after the material has moved, bitwise as in a body of the whole course") {
+TEST_CASE("moving window: contact between fragments acts on after the material has moved, bitwise as in a body of the whole track") {
   // late, and by several moves at once
   constexpr int steps = 36, moves = 5, cells = 512, margin = moves * added + 3 * steps;
   const auto shattered = [&](int length, double centre) {
@@ -143,6 +145,66 @@ TEST_CASE("moving window: ice that has yielded takes its plastic strain along") 
     CAPTURE(total);
     CHECK(fixtures::value(window, total) == fixtures::relative(fixtures::value(whole, total), 1e-12));  // rounding: eights add what they have now to what was
   }
+}
+
+TEST_CASE("moving window: edges that do not break stay at the ends of ice that yields, and what was an edge breaks like other ice") {
+  constexpr int cells = 96, edge = 3;
+  constexpr double middle_of_edge = 0.5 * (cells - edge) * spacing;
+  Setup setup = struck(cells, 0, Model::bond_based, 60);
+  std::get<BondBasedSetup>(setup.bodies[0].material).plasticity = PlasticitySetup{.compressive_strength = 2e7};
+  setup.bodies[0].particle_sets = {{.name = "front", .shape = BoxSolid{{edge * spacing, 1, 1}}, .position = {-middle_of_edge, 0, 0}},
+                                   {.name = "rear", .shape = BoxSolid{{edge * spacing, 1, 1}}, .position = {middle_of_edge, 0, 0}}};
+  setup.bodies[0].failure = FailureSetup{.no_fail = {"front", "rear"}};
+  setup.bodies[0].moving_window = window_after(0);
+  setup.impactors[1].velocity = {};
+  setup.impactors[1].motion.x = TranslationTable{{{0, 2e-6, 2.2e-6}, {-8400, -8400, 0}, {}, {}}};  // 9 spacings: one move
+  // arrive after the move, on what was the front edge before, and on what is the rear edge now
+  setup.impactors[0].position = {-middle_of_edge, 0, 5.4 * spacing};
+  setup.impactors.push_back(ball("second", 6 * spacing, {middle_of_edge - added * spacing, 0, 5.4 * spacing}, {0, 0, -150}));
+  Simulation simulation(setup);
+  while (simulation.moving_windows()[0].travel() == 0) {
+    simulation.step();
+    REQUIRE(simulation.contacts() == 0);
+  }
+  fixtures::run(simulation);
+  REQUIRE(simulation.moving_windows()[0].travel() == fixtures::relative(-added * spacing, 1e-12));
+  const Body& strip = simulation.bodies()[0];
+  std::array<std::size_t, cells> broken{};  // particles that have lost bonds, by their cell along x
+  for (const std::uint32_t slot : strip.particles.slot_of())
+    broken[static_cast<std::size_t>(strip.particles.lattice()->cell(slot)[0])] += strip.family.damage(slot) > 0;
+  for (int cell = 0; cell < edge; ++cell) {
+    CAPTURE(cell);
+    CHECK(broken[static_cast<std::size_t>(cell)] == 0);
+    CHECK(broken[static_cast<std::size_t>(added + cell)] > 0);
+    CHECK(broken[static_cast<std::size_t>(cells - 1 - cell)] == 0);
+  }
+  CHECK(broken[cells - 1 - edge - 2] > 0);
+}
+
+TEST_CASE("moving window: new material and ice beside it that has yielded exchange equal and opposite forces") {
+  Setup setup = struck(64, 0, Model::bond_based, 20);
+  std::get<BondBasedSetup>(setup.bodies[0].material).plasticity = PlasticitySetup{.compressive_strength = 2e7};
+  setup.impactors[0].position.z = 1;  // out of contact
+  setup.bodies[0].moving_window = window_after(0);
+  Simulation simulation(setup);
+  const Particles& particles = simulation.bodies()[0].particles;
+  simulation.visit_state([&](std::string_view name, auto&& values) {
+    if constexpr (std::is_same_v<typename std::remove_cvref_t<decltype(fccda::numbers_in(values))>::value_type, double>) {
+      if (name != "body.plastic_strain_xx" && name != "body.equivalent_plastic_strain") return;
+      for (const std::uint32_t slot : particles.slot_of())
+        if (particles.lattice()->cell(slot)[0] < 2) fccda::numbers_in(values)[slot] = 1e-5;
+    }
+  });
+  while (simulation.moving_windows()[0].travel() == 0) simulation.step();
+  Vec3d sum{};
+  double largest = 0;
+  for (const std::uint32_t slot : particles.slot_of()) {
+    const Vec3d force = particles.volume(slot) * particles.force_density.at(slot);
+    sum += force;
+    largest = std::max(largest, norm(force));
+  }
+  CHECK(largest > 0);
+  CHECK(norm(sum) < 1e-9 * largest);  // rounding of two thousand forces, each a sum of a hundred
 }
 
 TEST_CASE("moving window: broken bonds, fracture energy and plastic dissipation of discarded material remain in the totals") {

@@ -4,6 +4,7 @@
 #include <map>
 #include <mutex>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "perimpact/bodies.hpp"
@@ -116,6 +117,18 @@ TEST_CASE("ranks: particles, bonds and a free impactor with friction are bitwise
           check_equal(one, after(setup, ranks));
         }
       }
+}
+
+TEST_CASE("ranks: a correspondence body with an initial crack, whose bonds never break, is bitwise that of one rank") {
+  Setup setup = fixtures::struck_plate({.model = fixtures::Model::correspondence, .stabilisation = Stabilisation::bond_level});
+  setup.bodies[0].cracks = {{"notch", {{-1, 0.005, -1}, {1, 0.005, -1}, {1, 0.005, 1}, {-1, 0.005, 1}}},
+                            {"across", {{0.002, -1, -1}, {0.002, 1, -1}, {0.002, 1, 1}, {0.002, -1, 1}}}};
+  const Whole one = after(setup, 1);
+  CHECK(std::count(one.bodies[0].bonds.begin(), one.bodies[0].bonds.end(), 0) > 0);
+  for (const int ranks : strips_and_boxes) {
+    CAPTURE(ranks);
+    check_equal(one, after(setup, ranks));
+  }
 }
 
 TEST_CASE("ranks: correspondence materials are bitwise those of one rank") {
@@ -322,5 +335,31 @@ TEST_CASE("ranks: contact between fragments continues bitwise when its list of p
         CHECK(hash == expected);
       });
     }
+  }
+}
+
+TEST_CASE("ranks: counts of what the published detector rejects are those of one rank") {
+  Setup setup = fixtures::struck_plate({.poissons_ratio = 0.3, .critical_stretch = 2e-3});
+  setup.contact.impactors.detector.index = static_cast<int>(DetectorKind::published);
+  setup.contact.impactors.radius_ratio = 0, setup.contact.impactors.friction = 0;
+  const auto rejected = [&](int ranks) {
+    std::map<std::string, double> counts;
+    run_in_process(ranks, [&](Ranks& its) {
+      Simulation simulation(setup, {}, its);
+      fixtures::run(simulation);
+      simulation.visit_whole_record([&](std::string_view name, auto&& values) {
+        if (name.find(".rejected_by_") == std::string_view::npos) return;
+        for (const auto number : fccda::numbers_in(values)) counts[std::string(name)] += static_cast<double>(number);
+      });
+    });
+    return counts;
+  };
+  const std::map<std::string, double> one = rejected(1);
+  double all = 0;
+  for (const auto& [name, count] : one) all += count;
+  CHECK(all > 100);
+  for (const int ranks : strips_and_boxes) {
+    CAPTURE(ranks);
+    CHECK(rejected(ranks) == one);
   }
 }

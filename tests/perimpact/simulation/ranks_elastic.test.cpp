@@ -1,10 +1,11 @@
-// Elastic impactors on several ranks.
+// Elastic impactors on several ranks, and after a restart.
 #include <doctest/doctest.h>
 
 #include <filesystem>
 #include <sstream>
 #include <string>
 
+#include "fixtures/snapshot.hpp"
 #include "fixtures/temporary_folder.hpp"
 #include "perimpact/bodies.hpp"
 #include "perimpact/elastic_modes.hpp"
@@ -64,6 +65,18 @@ TEST_CASE("ranks: the motion and modes of an elastic impactor that breaks a plat
     CHECK(one.contacts > 500);
     CHECK(one.broken_bonds > 0);
   }
+}
+
+TEST_CASE("restart: counts of detection work of an elastic impactor continue") {
+  const ::fixtures::TemporaryFolder folder;
+  const Setup setup = plate(folder.path(), true, 0.2);
+  Simulation first(setup), second(setup);
+  for (int step = 0; step < 10; ++step) first.step();
+  const ::fixtures::Snapshot snapshot(first);
+  snapshot.give(second);
+  CHECK(first.impactors()[0].effort(0).points_tested > 0);
+  CHECK(second.impactors()[0].effort(0).points_tested == first.impactors()[0].effort(0).points_tested);
+  CHECK(second.impactors()[0].effort(0).panels_tested == first.impactors()[0].effort(0).panels_tested);
 }
 
 TEST_CASE("ranks: an open elastic sheet remembers the particles in contact with it as on one rank") {

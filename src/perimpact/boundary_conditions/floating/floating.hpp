@@ -2,12 +2,12 @@
 ///
 ///   F_z/V = -ρ g + ρ_w g S(z),   S = clamp((z_w - z)/Δ + 1/2, 0, 1)                  [N/m³]
 ///   F/V   = -ρ (α + α_d) v,      α_d = ½ ρ_w C_d Δ² S |v|/(ρ V)                       [N/m³], C_d of particles at the surface alone
-///   a_z   = F_z/(m + C_a ρ_w S V),  or  F_z/(m + ρ_w d Δ² W (1 - D)/n)                [m/s²]
+///   a_z   = F_z/(m + C_a ρ_w S V),  or  F_z/(m + ρ_w d Δ² W (1 - φ)/n)                [m/s²]
 ///
 /// S is the submerged share of a particle's height Δ (the edge of a cube of its volume) below the level z_w. In an intact sheet that contains
 /// the level, the sum over a column is exactly a Winkler foundation of the modulus ρ_w g; a fragment floats freely. α is mass-proportional
 /// damping; C_a is the added mass over that of the displaced water, d the depth of the water that a column of n particles entrains, W the
-/// largest S in it, and D the damage of the particle. Buoyancy and weight have the
+/// largest S in it, and φ the damage of the particle. Buoyancy and weight have the
 /// potential U = V (ρ g z + ρ_w g Δ q(t)), t = (z_w - z)/Δ + 1/2, q = 0, t²/2, t - 1/2 for t below 0, up to 1, above; their work is
 /// its decrease. The top particle of a column whose top is dry has S = t and q = t²/2 for all t above 0. Docs: docs/theory/floating_bodies.md.
 #pragma once
@@ -147,7 +147,7 @@ class Floating {
   std::optional<WaterColumns> columns_;
   std::vector<double> heights_;                      // [m] by slot; empty on a lattice
   std::vector<double> wetness_;                      // W of each column; empty without an entrained depth
-  std::vector<double> intact_;                       // 1 - D by place; empty without an entrained depth
+  std::vector<double> intact_;                       // 1 - φ by place; empty without an entrained depth
   std::vector<std::uint8_t> is_dry_;                 // by place, 1 for the top of a column that is dry there; empty without a dry top
   ForcesOnTheWay forces_;                            // of drag, damping and added mass; empty without them
   double potential_ = 0;                             // [J] at the latest instant

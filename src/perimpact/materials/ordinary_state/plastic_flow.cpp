@@ -56,6 +56,11 @@ void PlasticForce::refresh_ghosts(const Particles& particles, const Family& fami
   std::vector<double*> arrays{equivalent_.component(0), pressure_slope_.component(0), resistance_.component(0)};
   for (std::size_t c = 0; c < 6; ++c) arrays.push_back(strain_.component(c)), arrays.push_back(increment_.component(c));
   particles.share().refresh(std::span<double* const>(arrays));
+  mark_ghosts(particles, family);
+}
+
+/// Marks the eights beside ghosts that have plastic strain for the first time.
+void PlasticForce::mark_ghosts(const Particles& particles, const Family& family) {
   particles.share().for_each_ghost([&](std::size_t ghost) {
     if (equivalent_.component(0)[ghost] == 0 || is_known_ghost_[ghost]) return;
     is_known_ghost_[ghost] = 1;
@@ -63,6 +68,15 @@ void PlasticForce::refresh_ghosts(const Particles& particles, const Family& fami
       if ((family.bytes(i / byte_lanes)[row] >> (i % byte_lanes)) & 1u) is_plastic_[i / byte_lanes] = 1;
     });
   });
+}
+
+void PlasticForce::derive_from_state(const Particles& particles, const Family& family) {
+  find_resistance(particles);
+  parallel_for_blocks(particles.slots(), 256, [&](std::size_t first, std::size_t last) {
+    for (std::size_t slot = first; slot < last; ++slot)
+      if (particles.owns(slot) && equivalent_.component(0)[slot] > 0) mark_family(is_plastic_, 1, slot, family);
+  });
+  mark_ghosts(particles, family);
 }
 
 /// [Pa] the equivalent stress and the pressure that it removes.

@@ -30,19 +30,19 @@ PlasticForce::PlasticForce(OrdinaryState law, const Plasticity& plasticity, cons
       elastic_limit_(0.25 * plasticity.ellipse.a0 / std::max(moduli_.axial_shear, moduli_.plane_shear)),
       largest_pressure_(plasticity.ellipse.largest_pressure()),
       tolerated_(overshoot_tolerance * plasticity.ellipse.compressive_strength()),
-      correction_(std::move(correction)) {
+      correction_(std::move(correction)),
+      // s of the length (1 + s_c) |ξ|
+      half_limit_(rule ? 0.5 * (rule->stretch + 0.5 * rule->stretch * rule->stretch) : unbreakable),
+      strength_(strength) {
   if (rule) breaking_ = Breaking(*rule, {}, family, particles);
   const std::size_t slots = particles.slots(), slack = particles.slack();
   strain_ = increment_ = stress_ = TensorArray(slots, slack);
   equivalent_ = pressure_ = latest_pressure_ = ScalarArray(slots, slack);
   pressure_slope_ = ScalarArray(slots, slack, 3.0 / (16 * law.elastic().youngs_modulus));
-  // s of the length (1 + s_c) |ξ|
-  const double limit = rule ? rule->stretch + 0.5 * rule->stretch * rule->stretch : unbreakable;
-  resistance_ = ScalarArray(slots, slack, 0.5 * limit);
-  for (std::size_t slot = 0; slot < strength.size(); ++slot) resistance_.component(0)[slot] = 0.5 * limit * strength[slot];
-  particles.share().refresh({resistance_.component(0)});
   if (law_.needs_dilatation()) theta_ = ScalarArray(slots, slack);
   has_failed_.assign(slots, 0);
+  resistance_ = ScalarArray(slots, slack, half_limit_);
+  find_resistance(particles);
   if (!particles.share().is_whole()) is_known_ghost_.assign(slots, 0);
   is_plastic_.assign(slots / byte_lanes, 0);
   is_hot_.assign(slots / byte_lanes, 0);
@@ -78,6 +78,14 @@ PlasticForce::PlasticForce(OrdinaryState law, const Plasticity& plasticity, cons
       direction_.set(bond.index, bond.direction);
     });
   });
+}
+
+void PlasticForce::find_resistance(const Particles& particles) {
+  for (std::size_t slot = 0; slot < has_failed_.size(); ++slot) {
+    const double intact = half_limit_ * (strength_.empty() ? 1 : strength_[slot]);
+    resistance_.component(0)[slot] = has_failed_[slot] != 0 && intact != unbreakable ? 0 : intact;
+  }
+  particles.share().refresh({resistance_.component(0)});
 }
 
 template <class Pack>
@@ -173,7 +181,8 @@ StepMessages PlasticForce::messages() const {
 }
 
 double PlasticForce::bytes() const {
-  const std::size_t numbers = 18 * strain_.slots() + 5 * equivalent_.slots() + theta_.slots() + stretch_.size() + dilatation_.size() + 3 * direction_.slots();
+  const std::size_t numbers =
+      18 * strain_.slots() + 5 * equivalent_.slots() + theta_.slots() + stretch_.size() + dilatation_.size() + 3 * direction_.slots() + strength_.size();
   return correction_.bytes() + breaking_.bytes() +
          static_cast<double>(sizeof(double) * numbers + sizeof(double) * (dissipation_.size() + pending_.size()) + has_failed_.size() + is_plastic_.size() +
                              is_hot_.size() + affected_.size());

@@ -135,10 +135,12 @@ class PlasticForce {
     visit(name + ".equivalent_plastic_strain", std::span<double>(equivalent_.component(0), slots));
     visit(name + ".pressure", std::span<double>(pressure_.component(0), slots));
     visit(name + ".pressure_slope", std::span<double>(pressure_slope_.component(0), slots));
-    visit(name + ".resistance", std::span<double>(resistance_.component(0), slots));
     visit(name + ".has_failed", std::span<std::uint8_t>(has_failed_));
     visit(name + ".knows_plastic_strain", std::span<std::uint8_t>(is_plastic_));
   }
+  /// To be called after visit_state(), whose visitor may have written: restores what follows from the state. Strength belongs to slots, while cohesion that is
+  /// lost belongs to the material, which a moving window carries from slot to slot; new material has not yet seen the plastic strain beside it. Collective.
+  void derive_from_state(const Particles& particles, const Family& family);
   template <class Visitor>
   void visit_record(const std::string& name, Visitor&& visit) {
     visit(name + ".dissipation_of_eight", std::span<double>(dissipation_));
@@ -178,6 +180,8 @@ class PlasticForce {
   bool flow(const Particles& particles, const Family& family);
   double flow(std::size_t slot, const Particles& particles, const Family& family);
   void refresh_ghosts(const Particles& particles, const Family& family);
+  void mark_ghosts(const Particles& particles, const Family& family);
+  void find_resistance(const Particles& particles);
   void mark(std::size_t slot, const Family& family);
   void mark_affected(const Particles& particles, const Family& family);
 
@@ -199,6 +203,9 @@ class PlasticForce {
   fccda::AlignedVector<double> stretch_, dilatation_;  // [m⁵] with the factors of the surface correction
   VectorArray direction_;                              // n
 
+  double half_limit_;             // [-] s_c/2 by bond strain
+  std::vector<double> strength_;  // [-] of each slot; empty: 1 everywhere
+
   // of each slot
   TensorArray strain_;                        // ε^p
   TensorArray increment_;                     // the latest Δε^p, contained in ε^p
@@ -206,7 +213,7 @@ class PlasticForce {
   ScalarArray equivalent_;                    // Σ √(2/3 Δε^p:Δε^p)
   ScalarArray pressure_, latest_pressure_;    // [Pa] of the pass before, and of this one
   ScalarArray pressure_slope_;                // [1/Pa] what the limit of a bond gains by each pressure of its two particles; half at each end
-  ScalarArray resistance_;                    // [-] s_c k/2
+  ScalarArray resistance_;                    // [-] s_c k/2; 0 beyond ε_f
   ScalarArray theta_;                         // [-] elastic dilatation; empty where the material has none
   std::vector<std::uint8_t> has_failed_;      // beyond ε_f
   std::vector<std::uint8_t> is_known_ghost_;  // ghosts with plastic strain that is known here; empty where the body is whole
