@@ -129,7 +129,7 @@ void CorrespondenceForce<D>::bond_level_pass(const View& body, Particles& partic
   });
   const Share& share = particles.share();
   share.refresh(std::span<double* const>(body.gradient));
-  if (breaking_.is_armed()) share.refresh({shape_.component(symmetric)});
+  share.refresh({shape_.component(symmetric)});  // initial cracks change it too
   if (share.ranks().any(std::find(broken_.begin(), broken_.end(), broke_here) != broken_.end())) account_for_broken<Pack>(body, particles, family, sums);
   for_each_pack<Pack>(particles, [&](std::size_t eight, std::size_t slot) {
     bond_level_stress<D, Pack>(body, slot);
@@ -169,7 +169,7 @@ StepMessages CorrespondenceForce<D>::messages() const {
   StepMessages messages = breaking_.messages();
   if (law_.is_bond_level()) {
     messages.refreshed.push_back(D * D * sizeof(double));  // deformation gradient
-    if (breaking_.is_armed()) messages.refreshed.push_back(sizeof(double));
+    messages.refreshed.push_back(sizeof(double));          // χ
     messages.collectives += reduction_of(1);               // whether a bond has broken
     messages.refreshed.push_back(D * D * sizeof(double));  // stress carried to the bonds
   }
