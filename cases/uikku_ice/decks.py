@@ -8,7 +8,7 @@ import argparse
 import csv
 import sys
 from dataclasses import replace
-from math import ceil, pi, sqrt
+from math import ceil, exp, pi, sqrt
 from pathlib import Path
 
 HERE = Path(__file__).resolve().parent
@@ -22,6 +22,7 @@ ASTERN = 39.0  # [m] of ice behind the stem, the length of the bow
 APPROACH = 1.5  # [m/s] while the bow makes its channel, which takes one second more for the change to the speed of the test
 STEP = 0.5  # over spacing/√(E/ρ), with ρ of the scaled mass; `perimpact check` accepts up to 0.504 for these decks
 DISPLACEMENT = 21655  # [t] of the panels of this hull, by `perimpact shape hull`, in water of 1025 kg/m3
+RIM_DAMPING = 6.0  # over the natural frequency of heave of the sheet, at its edge: the layer along the edges that absorbs bending waves
 TRAVEL = 46.0  # [m] at the speed of the test, with the whole breadth in the ice
 SAMPLE = 36.0  # [m] the last of it, at least ten cusps of the formula: the mean is theirs
 
@@ -65,11 +66,15 @@ def deck(number, test, is_free=False):
     length, spacing = ship.characteristic_length, ship.thickness / LAYERS
     along = 8 * ceil((ASTERN + 2 * length) / spacing / 8)
     across = 2 * ceil((ship.beam / 2 + 2 * length) / spacing)
-    long, wide, edge = along * spacing, across * spacing, 3 * spacing
+    long, wide, edge, layer = along * spacing, across * spacing, 3 * spacing, f"{spacing / 2:.4g} m"
     draft = ship.thickness * ship.ice / ship.water
     entrained = 2 / pi * 0.32 * length  # [m] of water that moves with a cusp
     scaling = 1 + ship.water * entrained / (ship.ice * ship.thickness)
     dry = max(0.0, deflection_at_breaking(ship) - (ship.thickness - draft))
+    rim = length  # [m] wide
+    heave = sqrt(ship.water * GRAVITY / (ship.ice * scaling * ship.thickness))  # [rad/s]
+    fastest = sqrt(1.2 * ship.young / (ship.ice * scaling))  # [m/s] √((λ + 2µ)/ρ) at ν = 1/4
+    reflection = exp(-RIM_DAMPING * heave * rim / (3 * fastest))  # of that wave (docs/theory/boundary_conditions.md); bending waves are far slower
     step = STEP * spacing / sqrt(ship.young / (ship.ice * scaling))
     reached = approach(ship.speed)
     end = (ASTERN + TRAVEL) / ship.speed if is_free else reached + TRAVEL / ship.speed
@@ -104,15 +109,24 @@ bodies:
       # brittle in uniaxial compression, ductile under confinement, granular once crushed
       plasticity: {{compressive_strength: {test["compressive strength"]:g} MPa, failure_strain: 0.003, failure_pressure: 0.2, failure_width: 3, friction_angle: 30 deg}}
     failure: {{no_fail: [far_end, port, starboard]}}
-    particle_sets:                                 # as deep as the horizon
-      far_end: {{shape: {{box: {{size: [{edge:.5g} m, {wide + 1:.4g} m, 4 m]}}}}, position: [{(edge - long) / 2:.6g} m, 0, 0]}}
-      port: {{shape: {{box: {{size: [{long - edge:.6g} m, {edge:.5g} m, 4 m]}}}}, position: [{edge / 2:.5g} m, {(edge - wide) / 2:.6g} m, 0]}}
-      starboard: {{shape: {{box: {{size: [{long - edge:.6g} m, {edge:.5g} m, 4 m]}}}}, position: [{edge / 2:.5g} m, {(wide - edge) / 2:.6g} m, 0]}}
+    particle_sets:                                 # of the middle layer, as deep as the horizon
+      far_end: {{shape: {{box: {{size: [{edge:.5g} m, {wide + 1:.4g} m, {layer}]}}}}, position: [{(edge - long) / 2:.6g} m, 0, 0]}}
+      port: {{shape: {{box: {{size: [{long - edge:.6g} m, {edge:.5g} m, {layer}]}}}}, position: [{edge / 2:.5g} m, {(edge - wide) / 2:.6g} m, 0]}}
+      starboard: {{shape: {{box: {{size: [{long - edge:.6g} m, {edge:.5g} m, {layer}]}}}}, position: [{edge / 2:.5g} m, {(wide - edge) / 2:.6g} m, 0]}}
+      # of all layers, one characteristic length wide
+      far_rim: {{shape: {{box: {{size: [{rim:.5g} m, {wide + 1:.4g} m, 4 m]}}}}, position: [{(rim - long) / 2:.6g} m, 0, 0]}}
+      port_rim: {{shape: {{box: {{size: [{long + 1:.6g} m, {rim:.5g} m, 4 m]}}}}, position: [0, {(rim - wide) / 2:.6g} m, 0]}}
+      starboard_rim: {{shape: {{box: {{size: [{long + 1:.6g} m, {rim:.5g} m, 4 m]}}}}, position: [0, {(wide - rim) / 2:.6g} m, 0]}}
     boundary_conditions:
       sea: {{floating: {{level: 0, dry_top: {dry:.2g} m}}}}
-      ahead: {{fixed: {{particle_set: far_end}}}}
-      left: {{fixed: {{particle_set: port}}}}
-      right: {{fixed: {{particle_set: starboard}}}}
+      # edges bend and heave freely, like the ice beyond: clamped ones crack under the waves of the bow
+      ahead: {{fixed: {{particle_set: far_end, directions: [x, y]}}}}
+      left: {{fixed: {{particle_set: port, directions: [x, y]}}}}
+      right: {{fixed: {{particle_set: starboard, directions: [x, y]}}}}
+      # and bending waves of the bow go out through them
+      waves_ahead: {{absorbing: {{particle_set: far_rim, face: -x, reflection: {reflection:.3g}}}}}
+      waves_left: {{absorbing: {{particle_set: port_rim, face: -y, reflection: {reflection:.3g}}}}}
+      waves_right: {{absorbing: {{particle_set: starboard_rim, face: +y, reflection: {reflection:.3g}}}}}
 
 impactors:
   ship:
