@@ -68,6 +68,9 @@ def run(t):
         f"{sheet}.bending_calibration=none", f"{sheet}.moving_window.start_after=1 m",
         f"{sheet}.particle_sets.far_end={{shape: {{box: {{size: [{3 * spacing} m, {wide} m, 4 m]}}}}, position: [{(3 * spacing - long) / 2} m, 0, 0]}}",
         f"{sheet}.particle_sets.port={strip((3 * spacing - wide) / 2)}", f"{sheet}.particle_sets.starboard={strip((wide - 3 * spacing) / 2)}",
+        f"{sheet}.particle_sets.far_rim={{shape: {{box: {{size: [2 m, {wide} m, 4 m]}}}}, position: [{(2 - long) / 2} m, 0, 0]}}",
+        *(f"{sheet}.particle_sets.{side}_rim={{shape: {{box: {{size: [{long} m, 2 m, 4 m]}}}}, position: [0, {sign * (wide - 2) / 2} m, 0]}}"
+          for side, sign in (("port", -1), ("starboard", 1))),
         "impactors.ship.motion={}", "impactors.ship.velocity=[-4 m/s, 0, 0]", "impactors.ship.surface.hull.edge_length=3 m", "impactors.ship.surface.hull.bow_edge_length=1.5 m",
         "contact.impactors.friction=0", "time={end: 1.5 s, step: 0.19 ms}", "output.frames=0", "output.history_interval=20 ms",
     ]  # fmt: skip
