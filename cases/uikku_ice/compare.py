@@ -22,7 +22,10 @@ STATISTICS = "statistics.csv"
 def run_of(folder):
     """Number of the test, and a cell of the table: mean and standard error [kN], or how far the run has come."""
     report = json.loads((folder / "run.json").read_text(encoding="utf-8"))
-    number = int(re.search(r"test (\d+)", report["setup"]["title"])[1])
+    title = report["setup"]["title"]
+    if ", free" in title:
+        sys.exit(f"{folder} is a run of free.yaml, whose ship has no speed of its own; compare its mean velocity with that of the test.")
+    number = int(re.search(r"test (\d+)", title)[1])
     begin = sample(tests()[number]["speed"])
     with open(folder / "history.csv", newline="", encoding="utf-8") as lines:
         end = float(list(csv.DictReader(lines))[-1]["time [s]"])

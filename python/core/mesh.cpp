@@ -111,7 +111,8 @@ parts: part name of each panel, for `file_parts`, `gauges` and `refine`.)")
             return Mesh(fccda::make_box({.size = size, .edge_length = panel_of(panel)}));
           },
           "size"_a, "edge_length"_a = py::none(),
-          "A box of edge lengths size [m] centred on the origin, with panels of edge length at most panel [m] along the axes; by default two triangles per "
+          "A box of edge lengths size [m] centred on the origin, with panels of edge length at most edge_length [m] along the axes; by default two triangles "
+          "per "
           "side.")
       .def_static(
           "cylinder",
@@ -120,7 +121,7 @@ parts: part name of each panel, for `file_parts`, `gauges` and `refine`.)")
             return Mesh(fccda::make_cylinder({.diameter = diameter, .height = height, .axis = axis_of(axis), .edge_length = panel_of(panel)}));
           },
           "diameter"_a, "height"_a, "edge_length"_a = py::none(), "axis"_a = "z",
-          "A cylinder centred on the origin [m], about the axis x, y or z, with panels of edge length at most panel [m]; by default a twentieth of the "
+          "A cylinder centred on the origin [m], about the axis x, y or z, with panels of edge length at most edge_length [m]; by default a twentieth of the "
           "diameter.")
       .def_static(
           "sphere",
@@ -129,7 +130,7 @@ parts: part name of each panel, for `file_parts`, `gauges` and `refine`.)")
             return Mesh(fccda::make_sphere({.diameter = diameter, .edge_length = panel_of(panel)}));
           },
           "diameter"_a, "edge_length"_a = py::none(),
-          "A sphere centred on the origin [m], with panels of edge length at most panel [m]; by default a twentieth of the diameter.")
+          "A sphere centred on the origin [m], with panels of edge length at most edge_length [m]; by default a twentieth of the diameter.")
       .def_property_readonly(
           "vertices", [](const Mesh& mesh) { return array_of(mesh.panels().vertices); }, "(n, 3) coordinates [m], a copy.")
       .def_property_readonly("faces", &faces_of, "(m, 4) vertex numbers, the fourth -1 for triangles; a copy.")

@@ -196,7 +196,9 @@ void Run::advance(std::optional<double> until, long most) {
 
 void Run::note_step() {
   const Monitors& monitors = simulation_->monitors();
-  if (monitors.is_due(simulation_->clock())) rows_.emplace_back(monitors.row().begin(), monitors.row().end());
+  if (!monitors.is_due(simulation_->clock())) return;
+  const py::gil_scoped_acquire acquire;  // other threads may read the rows
+  rows_.emplace_back(monitors.row().begin(), monitors.row().end());
 }
 
 void Run::throw_if_interrupted() {

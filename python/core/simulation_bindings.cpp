@@ -172,9 +172,10 @@ views of the simulation's memory and show every later step. The other arrays are
           "volumes", [](const BodyOfRun& body) { return numbers_of_particles(body, [&](std::size_t slot) { return particles_of(body).volume(slot); }); },
           "(slots,) particle volumes [m3].")
       .def_property_readonly(
-          "density", [](const BodyOfRun& body) { return particles_of(body).density(); }, "Density [kg/m3].")
+          "density", [](const BodyOfRun& body) { return particles_of(body).density(); }, "Density [kg/m3] of inertia: that of the material times mass_scaling.")
       .def_property_readonly(
-          "mass", [](const BodyOfRun& body) { return particles_of(body).total_mass(); }, "Total mass of the particles [kg].")
+          "mass", [](const BodyOfRun& body) { return particles_of(body).total_mass(); },
+          "Total mass of the particles [kg], of the material, without mass_scaling.")
       .def_property_readonly(
           "spacing", [](const BodyOfRun& body) { return particles_of(body).spacing(); }, "Lattice spacing [m]; for a point cloud, the mean particle size.")
       .def_property_readonly(

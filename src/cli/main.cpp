@@ -5,6 +5,7 @@
 #include <csignal>
 #include <cstdio>
 #include <cstring>
+#include <filesystem>
 #include <new>
 #include <system_error>
 
@@ -49,6 +50,8 @@ int main(int argc, char** argv) {
     return fail(2, error.what());
   } catch (const fccda::RunError& error) {
     return fail(3, error.what());
+  } catch (const std::filesystem::filesystem_error& error) {
+    return fail(2, fmt::format("{} cannot be accessed: {}; check its permissions and those of its folders.", error.path1().string(), error.code().message()));
   } catch (const std::system_error& error) {  // from fmt on a failed print
     return fail(3, fmt::format("the output cannot be printed: {}. Free disk space, or redirect it elsewhere.", error.code().message()));
   } catch (const std::bad_alloc&) {

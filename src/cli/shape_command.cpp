@@ -127,7 +127,7 @@ int shape_command(const ShapeArguments& arguments) {
 }
 
 int list_shapes() {
-  for (const ShapeKind& kind : shape_kinds()) fmt::print("{:<12}{}\n", kind.name, kind.sentence);
+  for (const ShapeKind& kind : shape_kinds()) fmt::print("{:<12}{}.\n", kind.name, kind.sentence);
   fmt::print("perimpact shape NAME --help lists the options of each.\n");
   return 0;
 }

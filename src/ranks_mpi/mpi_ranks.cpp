@@ -5,6 +5,8 @@
 #include <cstdlib>
 #include <thread>
 
+#include "base/error.hpp"
+
 namespace perimpact {
 
 // An error in a call ends all ranks with the message of MPI: its default, MPI_ERRORS_ARE_FATAL.
@@ -12,6 +14,10 @@ namespace perimpact {
 MpiRanks::MpiRanks(std::size_t chunk) : chunk_(chunk) {
   int provided = 0;
   MPI_Init_thread(nullptr, nullptr, MPI_THREAD_FUNNELED, &provided);
+  if (provided < MPI_THREAD_FUNNELED) {
+    MPI_Finalize();
+    throw fccda::InputError("this MPI library does not support threads (MPI_THREAD_FUNNELED), with which forces are computed; use one that does.");
+  }
   MPI_Comm_dup(MPI_COMM_WORLD, &world_);
   MPI_Comm_dup(MPI_COMM_WORLD, &last_);
   MPI_Comm_rank(world_, &rank_);

@@ -174,10 +174,11 @@ bool create(const Draft& draft, const fs::path& lock, const std::string& text) {
   // a file system without links
   const output::Descriptor file(::open(lock.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, 0666));
   if (!file.is_open() && errno == EEXIST) return false;
-  if (!file.is_open() || ::write(file.number(), text.data(), text.size()) != static_cast<ssize_t>(text.size()))
-    throw fccda::InputError(
-        fmt::format("{} cannot be written: {}. Choose another folder with --out, or with output.folder in the deck.", lock.string(), std::strerror(errno)));
-  return true;
+  if (file.is_open() && ::write(file.number(), text.data(), text.size()) == static_cast<ssize_t>(text.size())) return true;
+  const int reason = errno;
+  if (file.is_open()) ::unlink(lock.c_str());  // it would keep others out
+  throw fccda::InputError(
+      fmt::format("{} cannot be written: {}. Choose another folder with --out, or with output.folder in the deck.", lock.string(), std::strerror(reason)));
 }
 
 /// Puts the draft in the place of a stale lock; false if another process was first. That is decided by flock, which all processes of this kernel

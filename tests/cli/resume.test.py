@@ -136,6 +136,9 @@ def _(t):
     name = deck(t)
     t.expect_complaint(run(t, name, "--out", "r", "--resume"), 2, "there is no checkpoint r/checkpoint.h5", "run without --resume")
     t.assertFalse((t.folder / "r").exists())
+    (t.folder / "file").write_text("kept")
+    t.expect_complaint(run(t, name, "--out", "file", "--resume"), 2, "file is a file, but the folder of a run is needed to resume it")
+    t.assertEqual((t.folder / "file").read_text(), "kept")
     t.assertEqual(run(t, name, "--out", "r", "--set", "output.folder=other").code, 0)
     (t.folder / "r/run.json").unlink()
     before = {file: (t.folder / "r" / file).read_bytes() for file in t.files("r")}

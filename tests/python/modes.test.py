@@ -138,6 +138,25 @@ def boundary(test):
     test.assertEqual(len(frd.boundary_faces(two)), 6)
 
 
+@claim("modes: damaged files of CalculiX are refused in a sentence, whatever line is damaged")
+def damaged(test):
+    lines = (HERE / "beam.frd").read_text(encoding="latin-1").splitlines()
+    first = lambda start: next(k for k, line in enumerate(lines) if line.startswith(start))  # noqa: E731
+    result, element = first("  100"), first("    3") + 2
+    for number, line in [
+        (result, lines[result][:12] + "x" * 12 + lines[result][24:]),
+        (result + 1, lines[result + 1].rsplit(None, 2)[0] + " few 1"),
+        (result + 1, " -4  DISP"),
+        (first("    1PMODE"), "    1PMODE  one"),
+        (first("    1PSTEP"), "    1PSTEP  x"),
+        (element, lines[element][: len(lines[element]) // 2]),
+    ]:
+        (test.folder / "bad.frd").write_text("\n".join([*lines[:number], line, *lines[number + 1 :]]), encoding="latin-1")
+        done = run(test, "bad.frd", "bad.vtu", "--units", *UNITS)
+        test.assertEqual((done.returncode, done.stderr.count("\n"), "Traceback" in done.stderr), (2, 1, False), (line, done.stderr))
+    test.assertFalse((test.folder / "bad.vtu").exists())
+
+
 @claim("modes: the command converts a file, onto the vertices of a surface too, and refuses in one sentence")
 def command(test):
     done = run(test, HERE / "beam.frd", "beam.vtu", "--units", *UNITS, "--damping", "0.02")

@@ -60,7 +60,7 @@ def conclusions(n):
             "Characteristic 2: it can be applied where particles are coupled with meshes, such as FEM",
             LIMITS,
             f"Finite elements on top of the library: the stress of a bar on a wall agrees with the wave equation within {100 * abs(n['coupling.stress']):.2f} %, the impulse within {100 * abs(n['coupling.impulse']):.1f} %. The impactor is rigid, and nodes come into contact, not faces: "
-            "a body sharper than the cells can cut into a face between them. A deformable mesh as impactor, coupled to particles, was not tested.",
+            "a body sharper than the cells can cut into a face between them. Deformable meshes as impactors are [below](#deformable-structures).",
             ("coupling.stress", "coupling.impulse", "coupling.wedge inside"),
         ),
     ]

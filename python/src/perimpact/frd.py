@@ -83,11 +83,17 @@ class _Reader:
         elif key == "    3":
             self._read_elements(self._width(line))
         elif line.startswith("    1PSTEP"):
-            self.step, self.mode = line.split()[-1], None
+            self.step, self.mode = self._number(line), None
         elif line.startswith("    1PMODE"):
-            self.mode = int(line.split()[-1])
+            self.mode = self._number(line)
         elif key == "  100" and self.mode is not None:
             self._read_result(line)
+
+    def _number(self, line):
+        """The last number of the line."""
+        if not line.split()[-1].isdigit():
+            self.fail("this line has no number of a step or a mode; write the file again.")
+        return int(line.split()[-1])
 
     def _width(self, line):
         """The width of a node number, after the last number of the line, which tells the encoding."""
@@ -131,10 +137,14 @@ class _Reader:
         self.fail("the file ends within the elements; it is truncated: run ccx again.")
 
     def _read_result(self, line):
-        width, frequency = self._width(line), float(line[12:24])
+        width = self._width(line)
+        try:
+            frequency = float(line[12:24])
+        except ValueError:
+            self.fail("a result begins without its frequency; write the file again.")
         name = next(self._rest(), "").split()
-        if len(name) < 2 or name[0] != "-4":
-            self.fail("a result begins without its name; write the file again.")
+        if len(name) < 3 or name[0] != "-4" or not name[2].isdigit():
+            self.fail("a result begins without its name and number of components; write the file again.")
         components = {"DISP": 3, "STRESS": 6}.get(name[1])
         if name[1] == "DISPI":
             self.fail("the modes are complex, as those of cyclic symmetry or with damping; compute real modes of the whole body.")
@@ -156,17 +166,20 @@ def read(path):
     reader = _Reader(path)
     if not reader.modes:
         raise InputError(f"{path}: the file has no vibration modes; write them in a *FREQUENCY step with *NODE FILE and U below it.")
-    last = reader.modes[max(reader.modes, key=int)]
+    last = reader.modes[max(reader.modes)]
     return Results(reader.nodes, reader.elements, [last[number] for number in sorted(last)])
 
 
 def boundary_faces(elements):
     """The faces that only one solid element has, and shell elements, as tuples of node numbers: 3, 4, 6 or 8, the corners first; normals point outward.
 
-    `elements`: (type, node numbers) of `Results`. Beams are left out. Raises InputError for types that the format does not have.
+    `elements`: (type, node numbers) of `Results`. Beams are left out. Raises InputError for types that the format does not have, and for elements that lack nodes.
     """
     shells, faces = [], []
     for kind, nodes in elements:
+        needed = 1 + max(max(face) for face in _SOLIDS[kind]) if kind in _SOLIDS else _SHELLS.get(kind, 0)
+        if len(nodes) < needed:
+            raise InputError(f"an element of type {kind} has {len(nodes)} nodes, but needs {needed}; write the file again.")
         if kind in _SOLIDS:
             faces += [tuple(nodes[n] for n in face) for face in _SOLIDS[kind]]
         elif kind in _SHELLS:

@@ -40,9 +40,10 @@ struct ContactArrays {
   }
 };
 
-void expect_ordered(const ContactDetector::State& state);                ///< throws InputError
-void expect_finite_positions(ConstVectors x);                            ///< throws RunError
-void expect_equally_long(const PointArrays& points);                     ///< throws InputError
-void expect_usable_point(const PointArrays& points, std::size_t point);  ///< throws InputError if a contact's point is none, or has no usable mass or velocity
+void expect_ordered(const ContactDetector::State& state);  ///< throws InputError
+void expect_finite_positions(ConstVectors x);              ///< throws RunError
+void expect_equally_long(const PointArrays& points);       ///< throws InputError
+void expect_usable_point(const PointArrays& points,
+                         std::size_t point);  ///< throws InputError if a contact's point is none, or has no usable mass, velocity or position
 
 }  // namespace fccda

@@ -30,16 +30,21 @@ void expect_radii(const Numbers& radius, std::size_t points) {
 double Radii::note(const Numbers& radius, std::size_t points) {
   expect_radii(radius, points);
   std::vector<double> largest(blocks_of(points));
-  std::vector<std::uint8_t> differs(largest.size());
+  std::vector<std::uint8_t> differs(largest.size()), is_invalid(largest.size());
   const auto scan = [&](std::ptrdiff_t block) {
     const auto b = static_cast<std::size_t>(block);
     for (std::size_t i = b * block_size; i < std::min((b + 1) * block_size, points); ++i) {
       const double now = radius[i];
-      if (!is_radius(now) || i >= radius_.size() || now != radius_[i]) differs[b] = 1;
+      if (!is_radius(now)) is_invalid[b] = 1;
+      if (i >= radius_.size() || now != radius_[i]) differs[b] = 1;
       largest[b] = std::max(largest[b], now);
     }
   };
   for_blocks(largest.size(), scan);
+  if (const auto invalid = std::ranges::find(is_invalid, 1); invalid != is_invalid.end())
+    for (std::size_t i = static_cast<std::size_t>(invalid - is_invalid.begin()) * block_size;; ++i)
+      if (!is_radius(radius[i]))
+        throw InputError("contact: the radius of point " + std::to_string(i) + " is " + in_words(radius[i]) + " m, but it must be a number of at least 0.");
   const std::size_t known = radius_.size();
   radius_.resize(points);
   grown_.clear();
@@ -47,8 +52,6 @@ double Radii::note(const Numbers& radius, std::size_t points) {
     if (differs[b] == 0) continue;
     for (std::size_t i = b * block_size; i < std::min((b + 1) * block_size, points); ++i) {
       const double now = radius[i];
-      if (!is_radius(now))
-        throw InputError("contact: the radius of point " + std::to_string(i) + " is " + in_words(now) + " m, but it must be a number of at least 0.");
       if (i < known && now > radius_[i]) grown_.push_back(i);
       radius_[i] = now;
     }

@@ -21,7 +21,8 @@ class Radii {
   bool known() const { return !radius_.empty(); }  ///< individual radii were given in the previous step
   void clear() { radius_.clear(); }                ///< the points have the radius of their detector
 
-  /// Takes the radii [m] of a step; returns the largest. Throws InputError if one is negative or not finite, or their number differs from that of the points.
+  /// Takes the radii [m] of a step; returns the largest. Throws InputError if one is negative or not finite, or their number differs from that of the points;
+  /// the radii of the previous step are then kept.
   double note(const Numbers& radius, std::size_t points);
   const std::vector<std::size_t>& grown() const { return grown_; }  ///< the points whose radius is larger than in the previous step, in ascending order
 

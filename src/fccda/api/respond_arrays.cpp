@@ -24,6 +24,7 @@ void expect_usable_point(const PointArrays& points, std::size_t point) {
   if (!(mass >= 0 && std::isfinite(mass)))
     throw InputError("contact: the mass of point " + std::to_string(point) + " is " + in_words(mass) + " kg, but it must be a finite number of at least 0.");
   expect_finite(points.velocity[point], "contact: the velocity of point " + std::to_string(point));
+  expect_finite(points.x_t0[point], "contact: the position at t0 of point " + std::to_string(point));
 }
 
 namespace {

@@ -7,7 +7,8 @@
 ///
 /// and of numbers: one for all points, or one for each:
 ///
-///   Numbers mass = 1e-3;                   Numbers mass = std::vector<double>{…};            or floats
+///   std::vector<double> m;                 Numbers mass = m;                                 or floats
+///   Numbers mass = 1e-3;
 ///   Numbers mass(&p->m, count, sizeof(Particle) / sizeof(double));
 ///
 /// A view does not own memory and must not outlive it. `Vectors` is writable.

@@ -112,7 +112,7 @@ inline constexpr std::size_t contacts_worth_threads = 64;
 
 /// Relocates the points and sets their velocities. Returns the impulse due to the body, whose centre of mass is at `centre_of_mass` at t1.
 /// Calls `report(contact, impulse)` for each contact, in order, with the impulse on the body [N s]. `motion`: of the body in this step.
-/// `contacts`: of a detector, which finds at most one for each point.
+/// `contacts`: of a detector, which finds at most one for each point. Throws InputError, and changes nothing, if the impulses are not finite.
 template <PointsInContact P, class Report>
 ContactSum resolve_points(P& points, std::span<const Contact> contacts, const Motion& motion, const Vec3d& centre_of_mass, double friction, Report&& report) {
   expect_friction(friction);
@@ -126,17 +126,22 @@ ContactSum resolve_points(P& points, std::span<const Contact> contacts, const Mo
   else
     parallel_for_uneven(static_cast<std::ptrdiff_t>(contacts.size()), [&](std::ptrdiff_t k) { resolve(static_cast<std::size_t>(k)); });
   ContactSum sum;
+  std::vector<Vec3d> impulses(contacts.size());
   for (std::size_t k = 0; k < contacts.size(); ++k) {
     const Contact& contact = contacts[k];
     const Resolved& after = all[k];
     const std::size_t i = contact.point;
-    const Vec3d start = points.position_t0(i), before = points.velocity(i);
-    const Vec3d impulse = -points.mass(i) * (after.velocity - before);
-    points.set(i, after.position, after.velocity);
-    sum.impulse += impulse;
-    sum.angular_impulse_about_com += cross(point_of_application(contact, start, after.position, motion) - centre_of_mass, impulse);
+    impulses[k] = -points.mass(i) * (after.velocity - points.velocity(i));
+    sum.impulse += impulses[k];
+    sum.angular_impulse_about_com += cross(point_of_application(contact, points.position_t0(i), after.position, motion) - centre_of_mass, impulses[k]);
     ++sum.contacts;
-    report(contact, impulse);
+  }
+  // before anything changes
+  expect_finite(sum.impulse, "contact: the sum of the impulses on the body");
+  expect_finite(sum.angular_impulse_about_com, "contact: the sum of the angular impulses on the body");
+  for (std::size_t k = 0; k < contacts.size(); ++k) {
+    points.set(contacts[k].point, all[k].position, all[k].velocity);
+    report(contacts[k], impulses[k]);
   }
   return sum;
 }

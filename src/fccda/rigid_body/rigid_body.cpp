@@ -31,6 +31,13 @@ void expect_usable(const RigidBodyProperties& properties, const FreeDegrees& deg
     if (!(properties.added_mass[axis] >= 0 && std::isfinite(properties.added_mass[axis])))
       throw InputError("rigid body: the added mass is " + in_words(properties.added_mass) + " kg, but no component may be negative or infinite.");
   }
+  const Mat3& inertia = properties.inertia;
+  constexpr double rounding = 1e-9;  // of products of the same numbers in another order
+  for (std::size_t r = 0; r < 3; ++r)
+    for (std::size_t c = 0; c < r; ++c)
+      if (std::fabs(inertia.row[r][c] - inertia.row[c][r]) > rounding * (inertia.row[0].x + inertia.row[1].y + inertia.row[2].z))
+        throw InputError("rigid body: the inertia is not symmetric: " + in_words(inertia.row[r][c]) + " and " + in_words(inertia.row[c][r]) +
+                         " kg m2 must be equal.");
   expect_finite(properties.centre_of_mass, "rigid body: the centre of mass");
   if (degrees.any_rotation() && !positive_definite(properties.inertia))
     throw InputError("rigid body: a rotation is free, but the inertia is not positive definite; give the inertia or constrain the rotations.");

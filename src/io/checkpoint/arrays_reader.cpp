@@ -4,7 +4,9 @@
 #include <fmt/format.h>
 
 #include <cerrno>
+#include <cstddef>
 #include <cstring>
+#include <vector>
 
 #include "base/error.hpp"
 #include "io/checkpoint/fingerprint.hpp"
@@ -118,6 +120,27 @@ std::string ArraysReader::word(const char* name) {
   expect(H5Aread(attribute.id(), type.id(), word.data()) >= 0, fmt::format("{} is missing", name));
   word.resize(std::strlen(word.c_str()));
   return word;
+}
+
+void ArraysReader::expect_intact() {
+  std::vector<std::string> names;
+  const auto add = [](hid_t, const char* name, const H5L_info_t*, void* all) {
+    static_cast<std::vector<std::string>*>(all)->emplace_back(name);
+    return herr_t{0};
+  };
+  expect(H5Lvisit(file_->opened.id(), H5_INDEX_NAME, H5_ITER_NATIVE, add, &names) >= 0, "its arrays cannot be listed");
+  for (const std::string& name : names) {
+    const Handle array(H5Dopen2(file_->opened.id(), name.c_str(), H5P_DEFAULT), H5Dclose);
+    if (!array.is_open()) continue;  // a group
+    const Handle type(H5Dget_type(array.id()), H5Tclose), space(H5Dget_space(array.id()), H5Sclose);
+    const hssize_t count = H5Sget_simple_extent_npoints(space.id());
+    expect(count >= 0 && static_cast<std::uintmax_t>(count) * H5Tget_size(type.id()) <= std::filesystem::file_size(file_->path),
+           "the array " + name + " is longer than the file");
+    std::vector<std::byte> bytes(static_cast<std::size_t>(count) * H5Tget_size(type.id()));
+    const bool done = bytes.empty() || H5Dread(array.id(), type.id(), H5S_ALL, H5S_ALL, H5P_DEFAULT, bytes.data()) >= 0;
+    if (is_text(type.id())) bytes.pop_back();  // its terminating zero
+    expect(done && has_fingerprint(array.id(), name, bytes.data(), bytes.size()), "the checksum of " + name + " does not match");
+  }
 }
 
 void ArraysReader::expect_all_read() { expect(natural("arrays") == file_->read, "it contains other arrays than expected"); }

@@ -37,6 +37,9 @@ class ArraysReader {
   double number(const char* name);
   std::string word(const char* name);
 
+  /// Reads all arrays and texts, and throws InputError where a checksum does not match: for a reader of whose errors others must know beforehand.
+  void expect_intact();
+
   /// Checks that all arrays of the file were read.
   void expect_all_read();
 

@@ -26,6 +26,8 @@ namespace {
 constexpr const char* program = "perimpact " PERIMPACT_VERSION;
 
 const std::filesystem::path& expect_there(const std::filesystem::path& path) {
+  if (std::filesystem::is_regular_file(path.parent_path()))
+    throw fccda::InputError(fmt::format("{} is a file, but the folder of a run is needed to resume it.", path.parent_path().string()));
   if (!std::filesystem::exists(path))
     throw fccda::InputError(fmt::format("there is no checkpoint {}, so there is nothing to resume; run without --resume.", path.string()));
   return path;
@@ -143,6 +145,18 @@ std::vector<MeasuredLoad> Checkpoint::loads(const Setup& setup) {
     loads.push_back(load_of(numbers));
   }
   return loads;
+}
+
+void Checkpoint::expect_intact(Ranks& ranks) {
+  std::string fault;
+  if (ranks.is_root()) {
+    try {
+      file_.expect_intact();
+    } catch (const fccda::InputError& error) {
+      fault = error.what();
+    }
+  }
+  if (ranks.any(!fault.empty())) throw fccda::InputError(ranks.is_root() ? fault : path_.string() + " is damaged.");
 }
 
 Written Checkpoint::restore(Simulation& simulation, std::uint64_t at_start) {

@@ -36,6 +36,9 @@ class Checkpoint {
   /// differ, and time.end may be later; restore() verifies that steps, rows and output frames up to the checkpoint remain the same.
   void expect_deck(const Setup& setup);
 
+  /// Throws InputError on all ranks if the root finds that the file is damaged: within restore() the root alone would. Collective.
+  void expect_intact(Ranks& ranks);
+
   /// Restores the state of the run into a newly built simulation with the hash `at_start`. Throws InputError where the file is damaged, or the
   /// simulation differs from that of the run. Returns the amount of output written so far.
   Written restore(Simulation& simulation, std::uint64_t at_start);

@@ -73,6 +73,7 @@ Checkpoints::Checkpoints(fs::path folder, Simulation& simulation)
 Written Checkpoints::resume(Simulation& simulation) {
   return with_newest(folder_, [&](Checkpoint& from, int age, const std::string& fault) {
     from.expect_deck(simulation.setup());
+    if (simulation.ranks().size() > 1) from.expect_intact(simulation.ranks());
     Written written = from.restore(simulation, at_start_);
     last_ = from.step();
     resumed_age_ = age;

@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <set>
 #include <string>
 
 #include "io/deck/yaml_node.hpp"
@@ -25,6 +26,9 @@ void check_failure(const BodySetup& body, const std::string& path, const Places&
   if (!body.elastic().may_fail())
     refuse(places.of(path + ".failure"),
            "failure is given, but the material never fails; give it a critical_stretch, fracture_energy or flexural_strength, or remove failure.");
+  std::set<std::string> seen;
+  for (const std::string& name : body.failure->no_fail)
+    if (!seen.insert(name).second) refuse(places.of(path + ".failure.no_fail"), fmt::format("no_fail contains {} twice; keep one.", name));
   const bool is_limit = body.failure->compression.as<CompressionFailure>() == CompressionFailure::limit;
   if (is_limit && !body.failure->critical_compression)
     refuse(places.of(path + ".failure.compression"), "compression is limit, but critical_compression is missing; give it, such as 0.01.");

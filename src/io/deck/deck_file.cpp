@@ -9,6 +9,7 @@ namespace perimpact::deck {
 std::string full_path(const std::filesystem::path& file, const std::string& place) {
   const std::filesystem::path path = std::filesystem::absolute(file).lexically_normal();
   std::error_code ignored;
+  if (std::filesystem::is_directory(path, ignored)) refuse(place, fmt::format("{} is a folder, but a file is needed.", path.string()));
   if (!std::filesystem::is_regular_file(path, ignored))
     refuse(place, fmt::format("there is no file {}; relative names start at the deck's folder.", path.string()));
   return path.string();

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include "io/deck/schema.hpp"
+#include "io/deck/units.hpp"
 #include "io/deck/value.hpp"
 
 namespace perimpact::deck {
@@ -16,12 +17,13 @@ struct Description {
   std::string default_text;
 };
 
+/// Throws std::logic_error if the unit of numbers is none that the reader knows.
 std::string with_unit(std::string_view form, std::string_view unit) {
-  return unit == "1" || unit.empty() ? std::string(form) : fmt::format("{} [{}]", form, unit);
+  return kind_of(unit).unit == "1" ? std::string(form) : fmt::format("{} [{}]", form, unit);
 }
 
 Description describe_value(double value, std::string_view unit) { return {with_unit("number", unit), fmt::format("{}", value)}; }
-Description describe_value(int value, std::string_view) { return {"whole number", fmt::format("{}", value)}; }
+Description describe_value(int value, std::string_view unit) { return {with_unit("whole number", unit), fmt::format("{}", value)}; }
 Description describe_value(bool value, std::string_view) { return {"true or false", value ? "true" : "false"}; }
 Description describe_value(const std::string& value, std::string_view) { return {"text", value}; }
 Description describe_value(const Choice& value, std::string_view) {

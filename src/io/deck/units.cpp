@@ -11,6 +11,7 @@
 #include <memory>
 #include <mutex>
 #include <optional>
+#include <stdexcept>
 
 #include "base/contract.hpp"
 #include "base/error.hpp"
@@ -141,7 +142,7 @@ std::span<const UnitKind> unit_kinds() { return kinds; }
 
 const UnitKind& kind_of(std::string_view unit) {
   const auto kind = std::find_if(std::begin(kinds), std::end(kinds), [&](const UnitKind& k) { return k.unit == unit; });
-  EXPECTS(kind != std::end(kinds));
+  if (kind == std::end(kinds)) throw std::logic_error(fmt::format("\"{}\" is no unit of the deck", unit));
   return *kind;
 }
 

@@ -21,7 +21,7 @@ struct UnitKind {
 /// All units that fields may have.
 std::span<const UnitKind> unit_kinds();
 
-/// The kind of a field's unit, which must be one of unit_kinds().
+/// The kind of a field's unit. Throws std::logic_error if it is none of unit_kinds().
 const UnitKind& kind_of(std::string_view unit);
 
 struct Converted {

@@ -34,8 +34,11 @@ double number(const YamlNode& node, const Rule& rule) {
 
 void refuse_unless_in_range(const YamlNode& node, const Rule& rule, double value) {
   if (rule.range.contains(value)) return;
-  const bool is_in_degrees = rule.unit == "rad" && node.text.find("deg") != std::string::npos;
-  refuse_value(node, rule, fmt::format("it must be {}. {}", is_in_degrees ? in_degrees(rule.range) : in_words(rule.range), rule.sentence));
+  const auto allowed = [&] {
+    if (rule.unit == "rad") return node.text.find("deg") != std::string::npos ? in_degrees(rule.range) : in_words(rule.range) + " rad";
+    return in_words(rule.range) + (rule.unit == "degC" ? " degC" : "");  // not what is usual with other units, such as kelvin
+  };
+  refuse_value(node, rule, fmt::format("it must be {}. {}", allowed(), rule.sentence));
 }
 
 const std::string& word(const YamlNode& node, const Rule& rule, std::string_view expected) {

@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "base/parallel.hpp"
+#include "base/parallel_throwing.hpp"
 #include "io/output/deflate.hpp"
 
 namespace perimpact::frames {
@@ -31,7 +31,7 @@ void add_filters(hid_t creation) { H5Pset_shuffle(creation), H5Pset_deflate(crea
 
 std::vector<std::vector<std::byte>> packed_chunks(std::span<const std::byte> bytes, std::size_t chunk_bytes, std::size_t number_size) {
   std::vector<std::vector<std::byte>> chunks((bytes.size() + chunk_bytes - 1) / chunk_bytes);
-  fccda::parallel_for(static_cast<std::ptrdiff_t>(chunks.size()), [&](std::ptrdiff_t k) {
+  fccda::parallel_for_throwing(static_cast<std::ptrdiff_t>(chunks.size()), [&](std::ptrdiff_t k) {
     const std::size_t first = static_cast<std::size_t>(k) * chunk_bytes;
     chunks[static_cast<std::size_t>(k)] =
         output::deflated(shuffled(bytes.subspan(first, std::min(chunk_bytes, bytes.size() - first)), chunk_bytes, number_size));

@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "base/parallel.hpp"
+#include "base/parallel_throwing.hpp"
 #include "io/output/deflate.hpp"
 #include "io/output/file.hpp"
 
@@ -22,7 +22,7 @@ std::uint64_t Appended::add(std::span<const std::byte> bytes) {
     array.bytes = bytes;
   } else {
     array.blocks.resize((bytes.size() + block_size - 1) / block_size);
-    fccda::parallel_for(static_cast<std::ptrdiff_t>(array.blocks.size()), [&](std::ptrdiff_t i) {
+    fccda::parallel_for_throwing(static_cast<std::ptrdiff_t>(array.blocks.size()), [&](std::ptrdiff_t i) {
       const std::size_t first = static_cast<std::size_t>(i) * block_size;
       array.blocks[static_cast<std::size_t>(i)] = deflated(bytes.subspan(first, std::min(block_size, bytes.size() - first)));
     });

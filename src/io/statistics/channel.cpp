@@ -3,8 +3,10 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <charconv>
 #include <cmath>
 #include <limits>
+#include <system_error>
 
 #include "base/contract.hpp"
 #include "base/error.hpp"
@@ -72,7 +74,12 @@ double spacing_of(const std::filesystem::path& results, const std::string& body)
   if (!member(found, "fragments") || !spacing)
     throw fccda::InputError(
         fmt::format("--channel: body {} has no failure criterion, so it has no channel; set critical_stretch in its material, or failure in the body.", body));
-  return std::stod(spacing->text);
+  double value = 0;
+  const char* const end = spacing->text.data() + spacing->text.size();
+  if (const auto [last, error] = std::from_chars(spacing->text.data(), end, value); error != std::errc() || last != end || !(value > 0))
+    throw fccda::InputError(fmt::format("{}: the spacing of body {} is \"{}\", but a length in metres is needed; use the file as written by the run.",
+                                        file.string(), body, spacing->text));
+  return value;
 }
 
 }  // namespace
@@ -164,7 +171,11 @@ ChannelFrame read_channel_frame(const std::filesystem::path& results, const std:
         fmt::format("{} has no field fragment, from which the channel width is determined; run the deck with fragment in output.frame_fields.", frame.name));
   if (fragments->components != 1)
     throw fccda::InputError(fmt::format("{} has no array fragment of one number per particle; use the file as written by the run.", frame.name));
-  for (const double fragment : fragments->numbers) frame.fragments.push_back(static_cast<std::int32_t>(fragment));
+  for (const double fragment : fragments->numbers) {
+    if (!(fragment >= 0 && fragment < static_cast<double>(fragments->numbers.size())))
+      throw fccda::InputError(fmt::format("{}: {} is no number of a fragment; use the file as written by the run.", frame.name, fragment));
+    frame.fragments.push_back(static_cast<std::int32_t>(fragment));
+  }
   frame.places = frames::read_frame(all.front()).points;  // frame at t = 0
   if (frame.places.size() != frame.fragments.size() || frame.places.empty())
     throw fccda::InputError(fmt::format("{} and {} have different numbers of particles; use the files of one run.", all.front().name(), frame.name));

@@ -89,7 +89,7 @@ std::span<const Field<BodySetup>> BodySetup::fields() {
        optional,
        "x, y or z: the axis across a thin plate. All bonds are stiffened by one factor so that its few layers have the bending stiffness of a plate; in-plane, "
        "the plate is too stiff by the same factor. For three to six layers. none: no factor."},
-      {"mass_scaling", &S::mass_scaling, "", at_least(1), optional,
+      {"mass_scaling", &S::mass_scaling, "1", at_least(1), optional,
        "Factor of the inertia of all particles, not of their weight, for quasi-static processes: the stable time step grows with its square root, and kinetic "
        "energy and momentum are those of the scaled mass. Reported masses are those of the material."},
       {"plane",

@@ -115,6 +115,23 @@ void warn_of_interpenetration(const Setup& setup, const Body& body, GroupedSente
                            body.name));
 }
 
+void warn_of_still_windows(const Setup& setup, GroupedSentences& warnings) {
+  for (const BodySetup& body : setup.bodies) {
+    if (!body.moving_window) continue;
+    const std::string& followed = body.moving_window->follow;
+    const auto impactor = std::ranges::find(setup.impactors, followed, &ImpactorSetup::name);
+    if (impactor == setup.impactors.end()) continue;  // refused elsewhere
+    const bool is_x = body.moving_window->axis.as<WindowAxis>() == WindowAxis::x;
+    const std::string axis = is_x ? "x" : "y";
+    const bool is_free = std::ranges::find(impactor->free_dofs, axis) != impactor->free_dofs.end();
+    if (is_free || (is_x ? impactor->motion.x : impactor->motion.y) || impactor->velocity[is_x ? 0 : 1] != 0) continue;
+    warnings.add("window", body.name,
+                 fmt::format("The moving window of body {} follows impactor {}, which does not move along {}: give it a velocity or a motion there, or remove "
+                             "moving_window.",
+                             body.name, followed, axis));
+  }
+}
+
 }  // namespace
 
 std::vector<std::string> warnings_about_bodies(const Setup& setup, std::span<const Body> bodies, std::span<const std::optional<FilledMass>> masses) {
@@ -135,6 +152,7 @@ std::vector<std::string> warnings_about_bodies(const Setup& setup, std::span<con
 
 std::vector<std::string> warnings_about_impactors(const Setup& setup, std::span<const Body> bodies, std::span<const Impactor> impactors, double dt) {
   GroupedSentences warnings;
+  warn_of_still_windows(setup, warnings);
   warn_of_overlaps(setup, impactors, warnings);
   warn_of_surfaces(setup, bodies, impactors, dt, warnings);
   return warnings.sentences();

@@ -280,7 +280,7 @@ void Impactor::repeat_step(bool last) {
   }
   const bool leads_nowhere = last && !coupling_.agrees(radius_, near);
   if (leads_nowhere) ++unconverged_steps_;
-  motion_ = leads_nowhere ? coupling_.retreat(*body_, radius_) : coupling_.correct(*body_, radius_);
+  motion_ = in_run(name_, [&] { return leads_nowhere ? coupling_.retreat(*body_, radius_) : coupling_.correct(*body_, radius_); });
 }
 
 void Impactor::finish_step() {
@@ -292,7 +292,7 @@ void Impactor::finish_step() {
   }
   count_in_contact();
   const Impulse found = deforming_ ? sum_of_pending() : coupling_.found();
-  contact_work_ += deforming_ ? deforming_->iteration().finish() : coupling_.finish(*body_);
+  contact_work_ += in_run(name_, [&] { return deforming_ ? deforming_->iteration().finish() : coupling_.finish(*body_); });
   last_step_.impulse = found.linear;
   last_step_.angular_impulse = found.angular;
   account_.impulse += last_step_.impulse;

@@ -37,12 +37,26 @@ double added_mass_of(const ImpactorSetup& setup, const Surface& surface, double 
   return setup.floating->added_mass * std::min(mass, setup.floating->density * surface.report().volume);
 }
 
+/// Σ m (y² + z²) and so on: no moment of inertia exceeds the sum of the other two.
+void refuse_impossible_inertia(const ImpactorSetup& setup) {
+  const Vec3d& inertia = *setup.inertia;
+  constexpr double rounding = 1e-3;  // of numbers in a deck
+  for (std::size_t axis = 0; axis < 3; ++axis) {
+    const double others = inertia[(axis + 1) % 3] + inertia[(axis + 2) % 3];
+    if (inertia[axis] <= (1 + rounding) * others) continue;
+    throw SetupError(key_of(setup) + ".inertia",
+                     fmt::format("the moment of inertia of {} about {} is {:.4g} kg m2, but no body has one above the sum of the other two, here {:.4g} kg m2; "
+                                 "correct the numbers or their units.",
+                                 setup.name, "xyz"[axis], inertia[axis], others));
+  }
+}
+
 RigidBodyProperties properties_of(const ImpactorSetup& setup, const Surface& surface) {
   const double mass = mass_of(setup, surface);
   RigidBodyProperties properties =
       surface.is_closed() ? solid_of_mass(surface.report(), mass) : RigidBodyProperties{.mass = mass, .centre_of_mass = surface.report().centroid};
   if (setup.centre_of_mass) properties.centre_of_mass = *setup.centre_of_mass;
-  if (setup.inertia) properties.inertia = Mat3::diagonal(*setup.inertia);
+  if (setup.inertia) refuse_impossible_inertia(setup), properties.inertia = Mat3::diagonal(*setup.inertia);
   if (setup.floating) properties.added_mass.z = added_mass_of(setup, surface, mass);
   return properties;
 }

@@ -8,7 +8,6 @@
 
 #include "base/error.hpp"
 #include "base/parallel.hpp"
-#include "perimpact/boundary_conditions/actions/slot_sum.hpp"
 #include "perimpact/integrate/stiffest_mode.hpp"
 #include "perimpact/particles/sum_over_eights.hpp"
 
@@ -165,7 +164,7 @@ void Relaxation::move(Body& body, const Search& search) const {
   Particles& particles = body.particles;
   const double c = damping(body, search) * dt_;
   const auto slots = particles.slot_of();
-  for_each_block(slots.size(), [&](std::size_t begin, std::size_t end, std::size_t) {
+  fccda::parallel_for_blocks(slots.size(), 256, [&](std::size_t begin, std::size_t end) {
     for (std::size_t k = begin; k < end; ++k) {
       const std::size_t slot = slots[k];
       const Vec3d velocity = ((2 - c) * particles.velocity.at(slot) + (2 * dt_ / search.density[slot]) * particles.force_density.at(slot)) / (2 + c);

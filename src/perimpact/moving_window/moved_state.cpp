@@ -85,8 +85,7 @@ std::size_t MovedState::numbers_of_each_particle(std::string_view name, std::siz
   if (!name.starts_with(body_.name + ".")) return 0;
   std::array<std::int64_t, 2> counts{static_cast<std::int64_t>(numbers), static_cast<std::int64_t>(slots)};
   body_.particles.share().ranks().sum(counts);
-  const auto all = static_cast<std::int64_t>(body_.particles.whole_lattice()->slots());
-  return counts[1] == all ? static_cast<std::size_t>(counts[0] / all) : 0;
+  return counts[1] == 0 ? 0 : static_cast<std::size_t>(counts[0] / counts[1]);
 }
 
 // Bonds to or from new material are intact, and those to discarded material do not exist. `to`: all bonds of the newly built body.

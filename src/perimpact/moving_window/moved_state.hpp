@@ -32,9 +32,10 @@ class CapturedState {
 };
 
 /// A visitor that writes captured arrays into the parts of the simulation, of which the moved body, its boundary conditions and the contact of fragments are
-/// rebuilt. Arrays over the slots, or over the eights, of this body take over the values of the cells that its cells move to; new material keeps its initial
-/// values, and pairs and points of discarded material are left out. Sums since the beginning (names that end in "_of_eight") stay in their eights, so that
-/// their totals include what is discarded. All other arrays are restored as they were. Collective: state that comes from another rank is sent.
+/// rebuilt. Arrays over the slots, or over the eights, of this body, and lists of numbers of its particles, take over the values of the cells that its cells
+/// move to; new material keeps its initial values, and pairs and points of discarded material are left out. Sums since the beginning (names that end in
+/// "_of_eight") stay in their eights, so that their totals include what is discarded. All other arrays are restored as they were. Collective: state that comes
+/// from another rank is sent.
 class MovedState {
  public:
   struct MovedBody {
@@ -91,7 +92,7 @@ class MovedState {
     share.shift(*body_.particles.lattice(), std::span<const T>(from), to, per_eight, body_.cells);
     if (std::is_floating_point_v<T> && per_eight == fccda::byte_lanes) share.refresh({to.data()});
   }
-  /// A list of the same number of numbers of each particle of the body.
+  /// A list of `each` numbers of particles of the body. Those of a particle that was not in the list are 0.
   template <class T>
   void of_particles(const std::vector<T>& from, std::span<T> to, std::span<const std::uint32_t> slots, std::size_t each) const {
     std::vector<T> before(body_.particles.slots()), after(before.size());
@@ -101,7 +102,7 @@ class MovedState {
       for (std::size_t k = 0; k < slots.size(); ++k) to[k * each + c] = after[slots[k]];
     }
   }
-  /// How many numbers of each particle this list has; 0 if it is not one of all particles of the body. `numbers`, `slots`: on this rank. Collective.
+  /// How many numbers of each particle this list has; 0 if it is not of this body. `numbers`, `slots`: on this rank. Collective.
   std::size_t numbers_of_each_particle(std::string_view name, std::size_t numbers, std::size_t slots) const;
   void bonds(std::span<const std::uint8_t> from, std::span<std::uint8_t> to, std::size_t per_eight) const;
   /// The slot after the move of that slot before it, on the lattice of the whole body; none if it is discarded.

@@ -314,6 +314,16 @@ TEST_CASE("plain call: radii that are missing, negative or not a number are reje
   CHECK(detector.points_inside(Pose(), x, 3.0) == std::vector<std::size_t>{0, 1});
 }
 
+TEST_CASE("plain call: a point whose radius grew in a call that failed for another point is in contact in the next one") {
+  ContactDetector detector{Surface(make_box({.size = {1, 1, 1}}))};
+  const std::vector<Vec3d> x{{0, 0, 2}, {0, 0, 3}};
+  CHECK(detector.detect(fixtures::at_rest(), x, x, std::vector<double>{0.1, 0.1}).empty());
+  CHECK_THROWS_AS(detector.detect(fixtures::at_rest(), x, x, std::vector<double>{1.6, -1}), InputError);
+  const std::vector<Contact> contacts = detector.detect(fixtures::at_rest(), x, x, std::vector<double>{1.6, 0.1});
+  REQUIRE(contacts.size() == 1);
+  CHECK(contacts[0].point == 0);
+}
+
 TEST_CASE("plain call: detectors that share a surface find the same contacts as separate ones") {
   Scene scene(500);
   const SharedSurface shared = share(scene.surface);

@@ -99,7 +99,16 @@ TEST_CASE("plain response: friction that is negative or not a number, masses and
   refused(-1, {}, 0, "contact: the mass of point 0 is -1 kg, but it must be a finite number of at least 0.");
   refused(nan, {}, 0, "contact: the mass of point 0 is nan kg, but it must be a finite number of at least 0.");
   refused(1, {0, infinity, 0}, 0, "contact: the velocity of point 0 is (0, inf, 0), but it must be finite.");
-  std::vector<Vec3d> x{{0, 0, 0}}, v{{0, 0, -4}};
+  std::vector<Vec3d> x{{0, 0, 0}}, v{{0, 0, -1e300}};
+  CHECK_THROWS_AS(respond(contacts, motion, body, {x_t0, x, v, 1e300}), InputError);  // whose impulse is not finite
+  CHECK(x[0] == Vec3d{});
+  CHECK(v[0] == Vec3d{0, 0, -1e300});
+  v[0].z = -4;
+  const std::vector<Vec3d> nowhere{{0, 0, nan}};
+  CHECK_THROWS_WITH_AS(respond(contacts, motion, body, {nowhere, x, v, 1.0}), "contact: the position at t0 of point 0 is (0, 0, nan), but it must be finite.",
+                       InputError);
+  CHECK(x[0] == Vec3d{});
+  CHECK(v[0] == Vec3d{0, 0, -4});
   Motion astray = motion;
   astray.t1 = Pose({0, nan, 0});
   CHECK_THROWS_AS(respond(contacts, astray, body, {x_t0, x, v, 1.0}), InputError);

@@ -223,6 +223,15 @@ TEST_CASE("rigid body: a mass that is not positive and an inertia that is not po
   CHECK_NOTHROW(RigidBody({.mass = 1}, Pose(), {}, {}, {{true, true, true}}));
 }
 
+TEST_CASE("rigid body: an inertia that is not symmetric is rejected, one that is but for rounding is not") {
+  Mat3 inertia = Mat3::diagonal({2, 3, 4});
+  inertia.row[0].y = 0.5, inertia.row[1].x = 0.5 + 1e-15;
+  CHECK_NOTHROW(RigidBody({.mass = 1, .inertia = inertia}, Pose(), {}, {}, {}));
+  inertia.row[1].x = -0.5;
+  CHECK_THROWS_WITH_AS(RigidBody({.mass = 1, .inertia = inertia}, Pose(), {}, {}, {}),
+                       "rigid body: the inertia is not symmetric: -0.5 and 0.5 kg m2 must be equal.", InputError);
+}
+
 TEST_CASE("rigid body: numbers that are not finite, negative steps and rotations by more than half a revolution are rejected") {
   const double nan = std::numeric_limits<double>::quiet_NaN(), infinity = std::numeric_limits<double>::infinity();
   const RigidBodyProperties unit{.mass = 1, .inertia = Mat3::identity()};

@@ -160,6 +160,14 @@ TEST_CASE("consistency: the path of a surface file is relative to the deck's fol
   } catch (const fccda::InputError& error) {
     CHECK(error.what() == place_of(text, "hull.stl") + ": there is no file " + hull.string() + "; relative names start at the deck's folder.");
   }
+  std::filesystem::create_directory(hull);
+  try {
+    read_there();
+    FAIL("a folder was accepted");
+  } catch (const fccda::InputError& error) {
+    CHECK(error.what() == place_of(text, "hull.stl") + ": " + hull.string() + " is a folder, but a file is needed.");
+  }
+  std::filesystem::remove(hull);
   std::ofstream(hull) << "solid\n";
   const auto surface = std::get<FileSurface>(read_there().setup.impactors[0].surface);
   CHECK(surface.file == hull.string());

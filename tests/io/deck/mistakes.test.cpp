@@ -107,6 +107,34 @@ TEST_CASE("mistakes: a value out of range, with the range in words") {
       {"frames: 40", "frames: -1", "-1", "frames is -1, but it must be from 0 to 100000. Number of output frames after the one at t = 0. 0: none."});
 }
 
+TEST_CASE("mistakes: a range has its unit where the value may be in another one") {
+  const auto of_ice = [](const std::string& plasticity) {
+    return complaint(plate_with(
+        "{model: ordinary-state, youngs_modulus: 191 GPa, poissons_ratio: 0.25, density: 8000}",
+        "{model: bond-based, youngs_modulus: 5 GPa, density: 900, flexural_strength: 0.5 MPa, plasticity: {compressive_strength: 3 MPa, " + plasticity + "}}"));
+  };
+  CHECK(of_ice("friction_angle: 30 deg").empty());
+  CHECK(of_ice("friction_angle: 85 deg").find("friction_angle is \"85 deg\", but it must be from 0 to 80.21 deg. ") != std::string::npos);
+  CHECK(of_ice("friction_angle: 80").find("friction_angle is 80, but it must be from 0 to 1.4 rad. ") != std::string::npos);
+  CHECK(complaint(plate_with("{model: ordinary-state, youngs_modulus: 191 GPa, poissons_ratio: 0.25, density: 8000}",
+                             "{model: bond-based, density: 900, ice: {temperature: 263 K, salinity: 5}}"))
+            .empty());
+  CHECK(complaint(plate_with("{model: ordinary-state, youngs_modulus: 191 GPa, poissons_ratio: 0.25, density: 8000}",
+                             "{model: bond-based, density: 900, ice: {temperature: -40, salinity: 5}}"))
+            .find("it must be from -22.9 to -0.5 degC. ") != std::string::npos);
+}
+
+TEST_CASE("mistakes: a factor has no unit, and a particle set is not named twice") {
+  const auto with = [](const std::string& line) { return plate_with("    spacing: 0.001\n", "    spacing: 0.001\n    " + line + "\n"); };
+  CHECK(complaint(with("mass_scaling: 10")).empty());
+  for (const char* value : {"1000 kg", "x", ".inf", "0.5"}) {
+    CAPTURE(value);
+    CHECK(complaint(with(std::string("mass_scaling: ") + value)).starts_with("deck.yaml:7:19: mass_scaling is "));
+  }
+  const std::string failing = plate_with("density: 8000}", "density: 8000, critical_stretch: 0.01}\n    failure: {no_fail: [end, end]}");
+  CHECK(complaint(failing) == place_of(failing, "[end, end]") + ": no_fail contains end twice; keep one.");
+}
+
 TEST_CASE("mistakes: a word that is not an allowed choice") {
   check_complaint(
       {"detector: swept", "detector: sweept", "sweept", "detector is sweept, but it must be one of swept, published, analytic; did you mean swept?"});

@@ -10,6 +10,8 @@
 #include "base/parallel.hpp"
 #include "fixtures/temporary_folder.hpp"
 #include "io/checkpoint/checkpoint.hpp"
+#include "io/checkpoint/checkpoints.hpp"
+#include "io/output/results_folder.hpp"
 #include "io/output/vtp.hpp"
 #include "io/results/particle_frame.hpp"
 #include "io/results/results_writer.hpp"
@@ -267,5 +269,35 @@ TEST_CASE("ranks: results and checkpoints of a body with a moving window under a
     const Run resumed = run(setup, ranks, folder / "3", folder / "3" / "half.h5");
     CHECK(resumed.hash == one.hash);
     CHECK(resumed.row == one.row);
+  }
+}
+
+TEST_CASE("ranks: where an array of the latest checkpoint is damaged, all ranks resume from the one before") {
+  Setup setup = broken_plate();
+  setup.output.checkpoints_kept = 2;
+  const ::fixtures::TemporaryFolder folder;
+  run_in_process(3, [&](Ranks& its) {
+    Simulation simulation(setup, {}, its);
+    Checkpoints checkpoints(folder.path(), simulation);
+    ResultsWriter writer(simulation, folder.path());
+    for (int step = 1; step <= 4; ++step) {
+      simulation.step(), writer.after_step(simulation);
+      if (step >= 3) checkpoints.write(simulation, writer);
+    }
+  });
+  const std::filesystem::path latest = output::ResultsFolder::checkpoint_in(folder.path(), 0);
+  std::fstream file(latest, std::ios::in | std::ios::out | std::ios::binary);
+  file.seekp(static_cast<std::streamoff>(std::filesystem::file_size(latest) / 2));  // among the numbers of its largest arrays, those of bonds
+  const std::string other(64, '\x5a');
+  file << other << std::flush;
+  for (const int ranks : {1, 3}) {
+    CAPTURE(ranks);
+    run_in_process(ranks, [&](Ranks& its) {
+      Simulation simulation(setup, {}, its);
+      Checkpoints checkpoints(folder.path(), simulation);
+      checkpoints.resume(simulation);
+      CHECK(simulation.clock().step == 3);
+      if (its.is_root()) CHECK(checkpoints.note().find("is damaged or of another run: the checksum of ") != std::string::npos);
+    });
   }
 }

@@ -167,6 +167,20 @@ TEST_CASE("channel: it is read from the last frame up to a time, with the positi
   CHECK(message("rock") ==
         "--channel: body rock has no failure criterion, so it has no channel; set critical_stretch in its material, or failure in the body.");
   CHECK(message("ice", -1) == (frames / "ice.pvd").string() + " lists no frame up to -1 s; use a later --to.");
+  const std::string report = fixtures::text_of(folder / "run.json");
+  fixtures::put(folder / "run.json", R"({"bodies": {"ice": {"spacing [m]": "wide", "fragments": {"fragments": 3}}}})");
+  CHECK(message("ice") ==
+        (folder / "run.json").string() + ": the spacing of body ice is \"wide\", but a length in metres is needed; use the file as written by the run.");
+  fixtures::put(folder / "run.json", report);
+  Sheet wrong = whole;
+  wrong.fragments[7] = -3;
+  const std::vector<float> origin(3 * wrong.places.size(), 0.0f);
+  series.add(time, [&](const std::filesystem::path& path) {
+    output::write_vtp(
+        path, {.points = std::span<const float>(origin), .point_arrays = {{"fragment", 1, std::span<const std::int32_t>(wrong.fragments)}}, .time = time},
+        output::Compression::none);
+  });
+  CHECK(message("ice").find(": -3 is no number of a fragment; use the file as written by the run.") != std::string::npos);
   std::filesystem::remove(frames / "ice.pvd");
   CHECK(message("ice") == (frames / "ice.pvd").string() + " does not exist; the channel width is read from frames, so the run needs output.frames.");
   std::filesystem::remove(folder / "run.json");

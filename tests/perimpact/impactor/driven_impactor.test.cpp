@@ -111,6 +111,27 @@ TEST_CASE("driven impactor: gauges of all parts add up to its force and moment, 
   CHECK_NOTHROW(value(simulation, "cylinder.spin.torque [N m]"));
 }
 
+TEST_CASE("driven impactor: a moment of inertia above the sum of the other two is refused, one that equals it is that of a thin plate") {
+  const auto refused = [](const Vec3d& inertia) {
+    Setup setup;
+    setup.time.end = 1e-6;
+    setup.bodies = {fixtures::body_setup({.size = {0.02, 0.02, 0.02}})};
+    ImpactorSetup ball;
+    ball.name = "ball";
+    ball.surface = SphereSurface{.diameter = 0.01, .edge_length = 0.002};
+    ball.mass = 1;
+    ball.position = {0, 0, 1};
+    ball.inertia = inertia;
+    setup.impactors = {ball};
+    return fixtures::complaint(setup);
+  };
+  CHECK(refused({1, 2, 3}).empty());
+  CHECK(refused({3, 1, 2}).empty());
+  CHECK(refused({1, 3.1, 2}) ==
+        "impactors.ball.inertia: the moment of inertia of ball about y is 3.1 kg m2, but no body has one above the sum of the other two, "
+        "here 3 kg m2; correct the numbers or their units.");
+}
+
 TEST_CASE("driven impactor: a density yields the same mass and inertia as the mass") {
   Setup by_mass = plate_and_cylinder(), by_density = plate_and_cylinder();
   const Simulation one(by_mass);

@@ -167,7 +167,7 @@ TEST_CASE("moving window: edges that do not break stay at the ends of ice that y
     REQUIRE(simulation.contacts() == 0);
   }
   fixtures::run(simulation);
-  REQUIRE(simulation.moving_windows()[0].travel() == fixtures::relative(-added * spacing, 1e-12));
+  CHECK(simulation.moving_windows()[0].travel() == fixtures::relative(-added * spacing, 1e-12));
   const Body& strip = simulation.bodies()[0];
   std::array<std::size_t, cells> broken{};  // particles that have lost bonds, by their cell along x
   for (const std::uint32_t slot : strip.particles.slot_of())
@@ -333,6 +333,24 @@ TEST_CASE("moving window: a window whose front is deformed when it moves is repo
   fixtures::run(simulation);
   const std::vector<std::string> warnings = simulation.closing_warnings();
   CHECK(std::ranges::any_of(warnings, [](const std::string& one) { return one.find("the material at its front was displaced") != std::string::npos; }));
+}
+
+TEST_CASE("moving window: a window whose impactor does not move along its axis is warned of") {
+  const auto warned = [](const Setup& setup) {
+    return std::ranges::any_of(Simulation(setup).warnings(), [](const std::string& one) {
+      return one.starts_with("The moving window of body body follows impactor guide, which does not move along y: ");
+    });
+  };
+  Setup setup = struck(40, 0, Model::bond_based, 10, {0, -1, 0});
+  setup.bodies[0].moving_window = window_after(0, WindowAxis::y);
+  CHECK(!warned(setup));
+  setup.impactors[1].velocity = {-1, 0, 0};
+  CHECK(warned(setup));
+  setup.impactors[1].motion.y = TranslationTable{{{0, 1}, {-1, -1}, {}, {}}};
+  CHECK(!warned(setup));
+  setup.impactors[1].motion = {};
+  setup.impactors[1].free_dofs = {"y"};
+  CHECK(!warned(setup));
 }
 
 TEST_CASE("moving window: what cannot move is refused with its reason") {

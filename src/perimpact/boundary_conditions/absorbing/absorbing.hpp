@@ -20,7 +20,6 @@
 #include "perimpact/boundary_conditions/actions/damped.hpp"
 #include "perimpact/boundary_conditions/actions/listed_eights.hpp"
 #include "perimpact/boundary_conditions/actions/reaction_ledger.hpp"
-#include "perimpact/boundary_conditions/actions/slot_sum.hpp"
 #include "perimpact/particles/particles.hpp"
 
 namespace perimpact {

@@ -1,6 +1,7 @@
 #include "perimpact/boundary_conditions/actions/load.hpp"
 
 #include "base/contract.hpp"
+#include "base/parallel.hpp"
 
 namespace perimpact {
 
@@ -18,7 +19,7 @@ Load::Load(std::vector<std::uint32_t> slots, std::vector<double> weights, const 
 
 ForceSum Load::static_load(Particles& particles, double time) const {
   const Vec3d now = intensity(time);
-  for_each_block(slots_.size(), [&](std::size_t begin, std::size_t end, std::size_t) {
+  fccda::parallel_for_blocks(slots_.size(), 256, [&](std::size_t begin, std::size_t end) {
     for (std::size_t k = begin; k < end; ++k) {
       const std::size_t slot = slots_[k];
       particles.force_density.set(slot, with_load(particles.force_density.at(slot), weights_[k], particles.volume(slot), now));

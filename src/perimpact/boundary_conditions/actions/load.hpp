@@ -16,9 +16,10 @@
 #include "fccda/rigid_body/step.hpp"
 #include "fccda/rigid_body/time_table.hpp"
 #include "perimpact/boundary_conditions/actions/action_kernels.hpp"
+#include "perimpact/boundary_conditions/actions/force_sum.hpp"
 #include "perimpact/boundary_conditions/actions/reaction_ledger.hpp"
-#include "perimpact/boundary_conditions/actions/slot_sum.hpp"
 #include "perimpact/particles/particles.hpp"
+#include "perimpact/particles/sum_over_eights.hpp"
 
 namespace perimpact {
 

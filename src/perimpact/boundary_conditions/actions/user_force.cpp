@@ -5,7 +5,8 @@
 #include <utility>
 
 #include "base/error.hpp"
-#include "perimpact/boundary_conditions/actions/slot_sum.hpp"
+#include "perimpact/boundary_conditions/actions/force_sum.hpp"
+#include "perimpact/particles/sum_over_eights.hpp"
 
 namespace perimpact {
 

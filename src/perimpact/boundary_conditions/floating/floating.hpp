@@ -20,9 +20,9 @@
 #include <vector>
 
 #include "perimpact/boundary_conditions/actions/damped.hpp"
+#include "perimpact/boundary_conditions/actions/force_sum.hpp"
 #include "perimpact/boundary_conditions/actions/listed_eights.hpp"
 #include "perimpact/boundary_conditions/actions/reaction_ledger.hpp"
-#include "perimpact/boundary_conditions/actions/slot_sum.hpp"
 #include "perimpact/boundary_conditions/floating/setup.hpp"
 #include "perimpact/boundary_conditions/floating/water_columns.hpp"
 #include "perimpact/boundary_conditions/floating/water_kernels.hpp"
