@@ -88,6 +88,13 @@ py::array_t<double> array_of(std::span<const Vec3d> vectors) {
   return array;
 }
 
+py::array_t<double> array_of(const fccda::Mat3& matrix) {
+  py::array_t<double> array({3, 3});
+  for (py::ssize_t i = 0; i < 3; ++i)
+    for (py::ssize_t j = 0; j < 3; ++j) array.mutable_at(i, j) = matrix.row[static_cast<std::size_t>(i)][static_cast<std::size_t>(j)];
+  return array;
+}
+
 py::array_t<std::int64_t> array_of(std::span<const std::size_t> indices) {
   py::array_t<std::int64_t> array(static_cast<py::ssize_t>(indices.size()));
   std::copy(indices.begin(), indices.end(), array.mutable_data());

@@ -71,6 +71,18 @@ fccda::Vectors writable_vectors_in(const py::array& array, const std::string& wh
 /// A copy as an array of shape (vectors, 3).
 py::array_t<double> array_of(std::span<const Vec3d> vectors);
 
+/// A copy as an array of shape (3, 3).
+py::array_t<double> array_of(const fccda::Mat3& matrix);
+
+/// A copy of the vertex numbers of triangles as an array of shape (triangles, 3). `triangles`: of a Surface.
+template <class Triangles>
+py::array_t<int> vertex_numbers_of(const Triangles& triangles) {
+  py::array_t<int> array({static_cast<py::ssize_t>(triangles.size()), py::ssize_t{3}});
+  for (std::size_t t = 0; t < triangles.size(); ++t)
+    for (std::size_t c = 0; c < 3; ++c) array.mutable_at(static_cast<py::ssize_t>(t), static_cast<py::ssize_t>(c)) = triangles[t].vertex[c];
+  return array;
+}
+
 /// A copy of indices.
 py::array_t<std::int64_t> array_of(std::span<const std::size_t> indices);
 

@@ -53,14 +53,6 @@ GivenSurface surface_of(const Mesh& mesh, double weld, const std::string& outsid
 
 py::tuple bounds_of(const GivenSurface& surface) { return py::make_tuple(surface.report().bounds.low, surface.report().bounds.high); }
 
-py::array_t<int> triangles_of_surface(const GivenSurface& surface) {
-  const auto triangles = surface.surface().triangles();
-  py::array_t<int> array({static_cast<py::ssize_t>(triangles.size()), py::ssize_t{3}});
-  for (std::size_t t = 0; t < triangles.size(); ++t)
-    for (std::size_t c = 0; c < 3; ++c) array.mutable_at(static_cast<py::ssize_t>(t), static_cast<py::ssize_t>(c)) = triangles[t].vertex[c];
-  return array;
-}
-
 void bind_surface(py::module_& module) {
   py::class_<GivenSurface>(module, "Surface",
                            R"(A rigid contact surface: vertices welded, triangles oriented consistently outward. Immutable.
@@ -84,7 +76,9 @@ Raises InputError where the surface cannot be used.)")
       .def_property_readonly("bounds", &bounds_of, "Minimum and maximum coordinates: two arrays (3,) [m].")
       .def_property_readonly(
           "vertices", [](const GivenSurface& surface) { return array_of(surface.surface().vertices()); }, "(n, 3) vertices after welding [m], a copy.")
-      .def_property_readonly("triangles", &triangles_of_surface, "(m, 3) vertex numbers of each triangle, counterclockwise seen from outside; a copy.");
+      .def_property_readonly(
+          "triangles", [](const GivenSurface& surface) { return vertex_numbers_of(surface.surface().triangles()); },
+          "(m, 3) vertex numbers of each triangle, counterclockwise seen from outside; a copy.");
 }
 
 // ---- bodies ----
@@ -107,13 +101,6 @@ fccda::Mat3 matrix_of(const Numbers& numbers) {
   fccda::Mat3 matrix{};
   for (py::ssize_t i = 0; i < 3; ++i) matrix.row[static_cast<std::size_t>(i)] = {numbers.at(i, 0), numbers.at(i, 1), numbers.at(i, 2)};
   return matrix;
-}
-
-py::array_t<double> array_of_matrix(const fccda::Mat3& matrix) {
-  py::array_t<double> array({3, 3});
-  for (py::ssize_t i = 0; i < 3; ++i)
-    for (py::ssize_t j = 0; j < 3; ++j) array.mutable_at(i, j) = matrix.row[static_cast<std::size_t>(i)][static_cast<std::size_t>(j)];
-  return array;
 }
 
 constexpr std::array<const char*, 6> degree_names{"x", "y", "z", "rx", "ry", "rz"};
@@ -158,7 +145,7 @@ void bind_bodies(py::module_& module) {
       .def_property_readonly(
           "attitude", [](const Pose& pose) { return numbers_in(pose.attitude()); }, "Unit quaternion w, x, y, z.")
       .def_property_readonly(
-          "rotation", [](const Pose& pose) { return array_of_matrix(pose.rotation()); }, "(3, 3) rotation matrix from body to world axes.")
+          "rotation", [](const Pose& pose) { return array_of(pose.rotation()); }, "(3, 3) rotation matrix from body to world axes.")
       .def(
           "to_world", [](const Pose& pose, const Numbers& points) { return moved_points(pose, points, &Pose::to_world); }, "points"_a,
           "Transforms (n, 3) points from the body frame to world coordinates [m].")
@@ -218,7 +205,7 @@ prescribed.)")
       .def_property_readonly("angular_velocity", &RigidBody::angular_velocity, "(3,) angular velocity [rad/s], world axes.")
       .def_property_readonly("mass", &RigidBody::mass, "Mass [kg].")
       .def_property_readonly(
-          "inertia", [](const RigidBody& body) { return array_of_matrix(body.inertia()); }, "(3, 3) inertia about the centre of mass, world axes [kg m2].")
+          "inertia", [](const RigidBody& body) { return array_of(body.inertia()); }, "(3, 3) inertia about the centre of mass, world axes [kg m2].")
       .def_property_readonly("momentum", &RigidBody::momentum, "(3,) linear momentum [kg m/s].")
       .def_property_readonly("kinetic_energy", &RigidBody::kinetic_energy, "Kinetic energy of translation and rotation [J].");
 }

@@ -9,6 +9,7 @@
 #include "base/error.hpp"
 #include "io/deck/did_you_mean.hpp"
 #include "io/report/report.hpp"
+#include "kept.hpp"
 #include "perimpact/deck_model/setup_error.hpp"
 #include "run/stop_signals.hpp"
 
@@ -20,14 +21,6 @@ using fccda::InputError;
 using fccda::RunError;
 
 constexpr std::chrono::milliseconds between_looks_for_signals{50};
-
-/// A Python function that may be copied and destroyed without the GIL.
-std::shared_ptr<py::function> kept(const py::function& function) {
-  return {new py::function(function), [](py::function* last) {
-            const py::gil_scoped_acquire acquire;
-            delete last;
-          }};
-}
 
 template <class F>
 auto with_places(const deck::Deck& deck, const F& f) {

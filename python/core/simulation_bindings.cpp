@@ -205,22 +205,6 @@ py::array_t<BlowRow> contacts_of(const ImpactorOfRun& impactor) {
   return array;
 }
 
-py::array_t<int> triangles_of(const ImpactorOfRun& impactor) {
-  const auto triangles = impactor.get().surface().triangles();
-  py::array_t<int> array({static_cast<py::ssize_t>(triangles.size()), py::ssize_t{3}});
-  for (std::size_t t = 0; t < triangles.size(); ++t)
-    for (std::size_t c = 0; c < 3; ++c) array.mutable_at(static_cast<py::ssize_t>(t), static_cast<py::ssize_t>(c)) = triangles[t].vertex[c];
-  return array;
-}
-
-py::array_t<double> rotation_of(const fccda::RigidBody& body) {
-  py::array_t<double> array({3, 3});
-  const auto& matrix = body.pose().rotation();
-  for (py::ssize_t i = 0; i < 3; ++i)
-    for (py::ssize_t j = 0; j < 3; ++j) array.mutable_at(i, j) = matrix.row[static_cast<std::size_t>(i)][static_cast<std::size_t>(j)];
-  return array;
-}
-
 double step_of(const ImpactorOfRun& impactor) { return impactor.run->simulation().clock().dt; }
 
 void bind_impactor(py::module_& module) {
@@ -234,7 +218,7 @@ void bind_impactor(py::module_& module) {
       .def_property_readonly(
           "origin", [](const ImpactorOfRun& impactor) { return impactor.get().body().pose().position(); }, "(3,) position of the surface's origin [m].")
       .def_property_readonly(
-          "rotation", [](const ImpactorOfRun& impactor) { return rotation_of(impactor.get().body()); },
+          "rotation", [](const ImpactorOfRun& impactor) { return array_of(impactor.get().body().pose().rotation()); },
           "(3, 3) rotation matrix from surface to world axes: `impactor.vertices @ impactor.rotation.T + impactor.origin`.")
       .def_property_readonly(
           "velocity", [](const ImpactorOfRun& impactor) { return impactor.get().body().velocity(); }, "(3,) velocity of the centre of mass [m/s].")
@@ -261,7 +245,9 @@ position (of the relocated particle) [m], normal (outward normal of the surface)
       .def_property_readonly(
           "vertices", [](const ImpactorOfRun& impactor) { return array_of(impactor.get().surface().vertices()); },
           "(n, 3) vertices of the surface in its frame [m], a copy.")
-      .def_property_readonly("triangles", &triangles_of, "(m, 3) vertex numbers of each triangle, counterclockwise seen from outside; a copy.");
+      .def_property_readonly(
+          "triangles", [](const ImpactorOfRun& impactor) { return vertex_numbers_of(impactor.get().surface().triangles()); },
+          "(m, 3) vertex numbers of each triangle, counterclockwise seen from outside; a copy.");
 }
 
 // ---- simulations ----

@@ -7,20 +7,13 @@
 
 #include "base/error.hpp"
 #include "io/deck/did_you_mean.hpp"
+#include "kept.hpp"
 
 namespace perimpact::python {
 
 namespace {
 
 using fccda::InputError;
-
-/// An object that may be copied and destroyed without the GIL.
-std::shared_ptr<py::object> kept_object(const py::object& object) {
-  return {new py::object(object), [](py::object* last) {
-            const py::gil_scoped_acquire acquire;
-            delete last;
-          }};
-}
 
 void expect_member(const StructureOfPython& structure, const char* member, const char* meaning) {
   if (!py::hasattr(structure.object, member))
@@ -36,7 +29,7 @@ std::vector<Vec3d> positions_in(const py::object& returned, const std::string& w
 }
 
 fccda::StructureSolver solver_of(const StructureOfPython& structure) {
-  const std::shared_ptr<py::object> object = kept_object(structure.object);
+  const std::shared_ptr<py::object> object = kept(structure.object);
   const std::string what = "what advance of the structure of impactor " + structure.impactor + " returned";
   fccda::StructureSolver solver;
   solver.advance = [object, what](const fccda::Step& step) {

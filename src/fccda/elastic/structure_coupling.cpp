@@ -4,6 +4,8 @@
 #include <cmath>
 #include <limits>
 
+#include "fccda/respond/impulse_change.hpp"
+
 namespace fccda {
 
 StructureCoupling::StructureCoupling(Structure& structure, DeformingSurface& surface)
@@ -23,15 +25,9 @@ void StructureCoupling::advance(const Step& step) {
 }
 
 void StructureCoupling::add(const DeformingContact& contact, double mass, const PanelImpulse& impulse, double friction) {
-  const Vec3d &J = impulse.on_surface, &n = contact.contact.normal;
   for (std::size_t k = 0; k < 3; ++k) structure_.add_vertex_impulse(static_cast<std::size_t>(contact.place.vertices[k]), impulse.on_vertices[k], found_);
-  Place& place = places_.emplace_back(Place{contact.place.vertices, contact.place.weights, mass, n, n, false});
-  const double pressed = -dot(J, n);
-  if (pressed > 0 && (friction > 0 || contact.contact.normal_t0 != Vec3d{})) {
-    constexpr double rounding = 1e-9;
-    place.sticks = friction > 0 && norm(J + pressed * n) < (1 - rounding) * friction * pressed;
-    place.along = (-1 / pressed) * J;
-  }
+  const auto [along, sticks] = change_of(contact.contact, impulse.on_surface, friction);
+  places_.push_back({contact.place.vertices, contact.place.weights, mass, contact.contact.normal, along, sticks});
 }
 
 Vec3d StructureCoupling::velocity_at(const Place& place, std::span<const double> velocity) const {

@@ -5,6 +5,8 @@
 #include <limits>
 #include <utility>
 
+#include "fccda/respond/impulse_change.hpp"
+
 namespace fccda {
 
 namespace {
@@ -69,14 +71,7 @@ void Coupling::add(const Contact& contact, double mass, const Vec3d& place, cons
   found_.angular += cross(arm, impulse);
 
   const Vec3d& n = contact.normal;
-  const double pressed = -dot(impulse, n);
-  Vec3d along = n;  // direction of δJ for a velocity change along the normal
-  bool sticks = false;
-  if (pressed > 0 && (friction > 0 || contact.normal_t0 != Vec3d{})) {
-    constexpr double rounding = 1e-9;
-    sticks = friction > 0 && norm(impulse + pressed * n) < (1 - rounding) * friction * pressed;
-    along = (-1 / pressed) * impulse;
-  }
+  const auto [along, sticks] = change_of(contact, impulse, friction);
   for (std::size_t c = 0; c < 6; ++c) {
     Vector6 unit{};
     unit[c] = 1;
