@@ -204,6 +204,7 @@ void DeformingSurface::place(std::span<const Vec3d> vertices) {
   }
   update_tree();
   measure_step();
+  ++steps_;  // detectors notice that a step of theirs is missing, and forget the distances from where the surface was
 }
 
 }  // namespace fccda

@@ -54,7 +54,7 @@ class DeformingSurface {
   /// The vertices of the panels that are the corners of a triangle.
   std::array<int, 3> panel_vertices(std::size_t t) const;
 
-  std::uint64_t steps() const { return steps_; }            ///< number of moves so far
+  std::uint64_t steps() const { return steps_; }            ///< number of moves and placements so far
   std::uint64_t rebuilds() const { return rebuilds_; }      ///< how often the search tree was rebuilt
   double travel() const { return travel_; }                 ///< [m] largest displacement of a vertex in the step
   const Vec3d& mean_displacement() const { return mean_; }  ///< [m] middle of the box about the displacements of all vertices

@@ -75,12 +75,19 @@ void check_gauge(const GaugeSetup& gauge, DetectorKind detector, const std::stri
            "surface_parts is given, but the analytic detector has no panels; remove surface_parts, or set detector: swept.");
 }
 
-void check_remeshing(const std::string& path, DetectorKind detector, const Places& places) {
+/// Calls f(key) for each way of remeshing that the impactor has. An empty map, as of a run.json, is none.
+template <class F>
+void for_each_remeshing(const ImpactorSetup& impactor, const F& f) {
+  if (impactor.coarsen) f("coarsen");
+  if (!impactor.refine.empty()) f("refine");
+}
+
+void check_remeshing(const ImpactorSetup& impactor, const std::string& path, DetectorKind detector, const Places& places) {
   if (detector != DetectorKind::analytic) return;
-  for (const std::string_view key : {"coarsen", "refine"})
-    if (places.has(fmt::format("{}.{}", path, key)))
-      refuse(places.of(fmt::format("{}.{}", path, key)),
-             fmt::format("{0} is given, but the analytic detector has no panels; remove {0}, or set detector: swept.", key));
+  for_each_remeshing(impactor, [&](std::string_view key) {
+    refuse(places.of(fmt::format("{}.{}", path, key)),
+           fmt::format("{0} is given, but the analytic detector has no panels; remove {0}, or set detector: swept.", key));
+  });
 }
 
 /// Contact with an elastic impactor moves the vertices of its panels, those that the modes are given on.
@@ -90,13 +97,12 @@ void make_elastic_consistent(ImpactorSetup& impactor, DetectorKind detector, con
   if (detector != DetectorKind::swept)
     refuse(places.of(path + ".elastic"), fmt::format("{} is elastic, but the {} detector has rigid surfaces only; set detector: swept, or remove elastic.",
                                                      impactor.name, detector_words[static_cast<std::size_t>(detector)]));
-  for (const std::string_view key : {"coarsen", "refine"})
-    if (places.has(fmt::format("{}.{}", path, key)))
-      refuse(
-          places.of(fmt::format("{}.{}", path, key)),
-          fmt::format("{0} changes the vertices of the surface, on which the modes of elastic are given; remove {0}, remesh the surface before its modes are "
-                      "computed, or remove elastic.",
-                      key));
+  for_each_remeshing(impactor, [&](std::string_view key) {
+    refuse(places.of(fmt::format("{}.{}", path, key)),
+           fmt::format("{0} changes the vertices of the surface, on which the modes of elastic are given; remove {0}, remesh the surface before its modes are "
+                       "computed, or remove elastic.",
+                       key));
+  });
   impactor.elastic->modes = full_path(folder / impactor.elastic->modes, places.of(path + ".elastic.modes"));
 }
 
@@ -106,7 +112,7 @@ void make_impactor_consistent(ImpactorSetup& impactor, DetectorKind detector, co
   const std::string path = "impactors." + impactor.name;
   check_mass(impactor, path, places);
   check_motion(impactor, path, folder, places);
-  check_remeshing(path, detector, places);
+  check_remeshing(impactor, path, detector, places);
   make_elastic_consistent(impactor, detector, path, folder, places);
   for (const LoadSetup& load : impactor.loads) check_load(load, path + ".loads." + load.name, places);
   for (const GaugeSetup& gauge : impactor.gauges) check_gauge(gauge, detector, path + ".gauges." + gauge.name, places);

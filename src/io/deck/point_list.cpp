@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <array>
 #include <charconv>
 #include <cmath>
@@ -64,6 +65,8 @@ class PointListParser {
       values[column_of_[cell]] = factor_[column_of_[cell]] * number(trimmed_cell(rest.substr(0, comma)), line);
       rest.remove_prefix(comma == std::string_view::npos ? rest.size() : comma + 1);
     }
+    if (!std::ranges::all_of(values, [](double value) { return std::isfinite(value); }))
+      fail(fmt::format("the row \"{}\" has a number that is too large in SI units; correct it.", line));
     if (!(values[3] > 0)) fail(fmt::format("the volume is {} m3, but it must be above 0; correct or remove the row.", values[3]));
     list_.points.push_back({values[0], values[1], values[2]});
     list_.volumes.push_back(values[3]);

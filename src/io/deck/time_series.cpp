@@ -41,11 +41,12 @@ class TimeSeriesParser {
     ++line_;
     if (trimmed_cell(line).empty()) return;
     const auto [time, value] = columns_of(line);
-    const double at = time_factor_ * number(time, line);
+    const double at = time_factor_ * number(time, line), reached = value_factor_ * number(value, line);
+    if (!std::isfinite(at) || !std::isfinite(reached)) fail(fmt::format("the row \"{}\" has a number that is too large in SI units; correct it.", line));
     if (!series_.times.empty() && at <= series_.times.back())
       fail(fmt::format("the time {} s follows {} s, but times must increase.", at, series_.times.back()));
     series_.times.push_back(at);
-    series_.values.push_back(value_factor_ * number(value, line));
+    series_.values.push_back(reached);
   }
 
   TimeSeries finish() {

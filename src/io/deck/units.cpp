@@ -104,7 +104,7 @@ std::optional<double> factor(ut_unit* from, ut_unit* to) {
 double scaled(std::string_view digits, double number, double by) {
   const double power = std::round(std::log10(by));
   const bool is_power_of_ten = std::fabs(by / std::pow(10.0, power) - 1) < 4e-16;
-  if (!is_power_of_ten) return number * by;
+  if (!is_power_of_ten || number == 0) return number * by;  // 0 may have any exponent
   const std::size_t mantissa = std::min(digits.find_first_of("eE"), digits.size());
   int exponent = 0;
   if (mantissa < digits.size()) {

@@ -130,6 +130,7 @@ TEST_CASE("consistency of impactors: a motion table is read from a file with uni
   says("time [s], velocity [m/s]\n0, 0\n1; 2\n", ":3: \"1; 2\" is not two comma-separated numbers; correct the row.");
   says("time [s], velocity [m/s]\n0, 0, 1\n", ":2: \"0, 0, 1\" is not two comma-separated numbers; correct the row.");
   says("time [s], velocity [m/s]\n0, nan\n", ":2: \"0, nan\" is not two comma-separated numbers; correct the row.");
+  says("time [s], velocity [km/s]\n0, 1e306\n", ":2: the row \"0, 1e306\" has a number that is too large in SI units; correct it.");
   says("time [s], velocity [m/s]\n0, 0\n0, 1\n", ":3: the time 0 s follows 0 s, but times must increase.");
   says("time [s], velocity [m/s]\n", ":1: there are no rows of numbers below the header line; add them.");
   says("", ":1: the first line is \"\", but it must name the two columns: \"time [s], velocity [m/s]\" or \"time [s], displacement [m]\".");

@@ -55,6 +55,8 @@ TEST_CASE("point list: errors are reported with their line") {
   CHECK(complaint(header + "0, 0, 0, 1, 2\n") == "cloud.csv:2: \"0, 0, 0, 1, 2\" is not four comma-separated numbers; correct the row.");
   CHECK(complaint(header + "0, nan, 0, 1\n") == "cloud.csv:2: \"0, nan, 0, 1\" is not four comma-separated numbers; correct the row.");
   CHECK(complaint(header + "0, 0, 0, 1\n0, 1, 0, 0\n") == "cloud.csv:3: the volume is 0 m3, but it must be above 0; correct or remove the row.");
+  CHECK(complaint("x [km], y [m], z [m], volume [m3]\n1e306, 0, 0, 1\n") ==
+        "cloud.csv:2: the row \"1e306, 0, 0, 1\" has a number that is too large in SI units; correct it.");
   CHECK(complaint(header + "0, 0, 0, -1e-9\n").starts_with("cloud.csv:2: the volume is -1e-09 m3"));
 }
 

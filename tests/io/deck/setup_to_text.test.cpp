@@ -394,6 +394,11 @@ TEST_CASE("setup to text: the plate reads back from its own run.json") {
   check_same(setup, read(deck::setup_to_text(setup)).setup);
 }
 
+TEST_CASE("setup to text: a run with the analytic detector reads back from its own run.json") {
+  const Setup setup = read(fixtures::plate_with("detector: swept", "detector: analytic")).setup;
+  check_same(setup, read(deck::setup_to_text(setup)).setup);
+}
+
 TEST_CASE("setup to text: any setup reads back bitwise identical") {
   Random random(1);
   for (int trial = 0; trial < 100; ++trial) {

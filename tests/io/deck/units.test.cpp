@@ -41,6 +41,13 @@ TEST_CASE("units: powers of ten give the same double as the plain number") {
   CHECK(si("981 cm/s2", "m/s2") == 9.81);
 }
 
+TEST_CASE("units: zero is zero with any exponent and unit") {
+  for (const char* text : {"0 km", "0e2147483647 km", "0e-2147483648 mm", "-0.0e99999 km"}) {
+    CAPTURE(text);
+    CHECK(si(text, "m") == 0);
+  }
+}
+
 TEST_CASE("units: plain numbers are SI, whatever the sign, decimal point or spacing") {
   CHECK(si("0.25", "1") == 0.25);
   CHECK(si("-32", "m/s") == -32);
