@@ -8,8 +8,8 @@ namespace fccda {
 
 /// δJ = -m δv of a point that sticks, and -m (n·δv) along of one that slides or whose impulse acts along the normal of t0.
 struct ImpulseChange {
-  Vec3d along;  ///< [-] n, or Δv/Δv·n
-  bool sticks = false;
+  Vec3d along;          ///< [-] n, or Δv/Δv·n
+  bool sticks = false;  ///< it moves with the surface
 };
 
 /// `impulse` [N s]: on the surface.
