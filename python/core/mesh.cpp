@@ -112,8 +112,7 @@ parts: part name of each panel, for `file_parts`, `gauges` and `refine`.)")
           },
           "size"_a, "edge_length"_a = py::none(),
           "A box of edge lengths size [m] centred on the origin, with panels of edge length at most edge_length [m] along the axes; by default two triangles "
-          "per "
-          "side.")
+          "per side.")
       .def_static(
           "cylinder",
           [](double diameter, double height, const std::optional<double>& panel, const std::string& axis) {

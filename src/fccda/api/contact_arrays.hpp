@@ -43,7 +43,7 @@ struct ContactArrays {
 void expect_ordered(const ContactDetector::State& state);  ///< throws InputError
 void expect_finite_positions(ConstVectors x);              ///< throws RunError
 void expect_equally_long(const PointArrays& points);       ///< throws InputError
-void expect_usable_point(const PointArrays& points,
-                         std::size_t point);  ///< throws InputError if a contact's point is none, or has no usable mass, velocity or position
+/// Throws InputError if a contact's point is none, or has no usable mass, velocity or position.
+void expect_usable_point(const PointArrays& points, std::size_t point);
 
 }  // namespace fccda

@@ -126,22 +126,20 @@ ContactSum resolve_points(P& points, std::span<const Contact> contacts, const Mo
   else
     parallel_for_uneven(static_cast<std::ptrdiff_t>(contacts.size()), [&](std::ptrdiff_t k) { resolve(static_cast<std::size_t>(k)); });
   ContactSum sum;
-  std::vector<Vec3d> impulses(contacts.size());
+  const auto impulse_of = [&](std::size_t k) { return -points.mass(contacts[k].point) * (all[k].velocity - points.velocity(contacts[k].point)); };
   for (std::size_t k = 0; k < contacts.size(); ++k) {
-    const Contact& contact = contacts[k];
-    const Resolved& after = all[k];
-    const std::size_t i = contact.point;
-    impulses[k] = -points.mass(i) * (after.velocity - points.velocity(i));
-    sum.impulse += impulses[k];
-    sum.angular_impulse_about_com += cross(point_of_application(contact, points.position_t0(i), after.position, motion) - centre_of_mass, impulses[k]);
+    const Vec3d impulse = impulse_of(k), place = point_of_application(contacts[k], points.position_t0(contacts[k].point), all[k].position, motion);
+    sum.impulse += impulse;
+    sum.angular_impulse_about_com += cross(place - centre_of_mass, impulse);
     ++sum.contacts;
   }
   // before anything changes
   expect_finite(sum.impulse, "contact: the sum of the impulses on the body");
   expect_finite(sum.angular_impulse_about_com, "contact: the sum of the angular impulses on the body");
   for (std::size_t k = 0; k < contacts.size(); ++k) {
+    const Vec3d impulse = impulse_of(k);
     points.set(contacts[k].point, all[k].position, all[k].velocity);
-    report(contacts[k], impulses[k]);
+    report(contacts[k], impulse);
   }
   return sum;
 }

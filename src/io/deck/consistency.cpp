@@ -19,6 +19,7 @@
 #include "io/deck/did_you_mean.hpp"
 #include "io/deck/schema.hpp"
 #include "io/deck/yaml_node.hpp"
+#include "perimpact/deck_model/distinct_words.hpp"
 #include "perimpact/deck_model/setup_error.hpp"
 
 namespace perimpact::deck {
@@ -82,13 +83,12 @@ bool is_fitted(const ContactBoundsSetup& bounds) {
 void check_impactor(const ImpactorSetup& impactor, const Places& places) {
   const std::string path = "impactors." + impactor.name;
   check_bounds(impactor.contact_bounds, path + ".contact_bounds", places);
-  std::set<std::string> seen;
-  for (const std::string& direction : impactor.free_dofs) {
+  const auto refuse_here = [&](const std::string& sentence) { refuse(places.of(path + ".free_dofs"), sentence); };
+  const auto expect_known = [&](const std::string& direction) {
     if (std::find(std::begin(degree_words), std::end(degree_words), direction) == std::end(degree_words))
-      refuse(places.of(path + ".free_dofs"),
-             fmt::format("free_dofs contains \"{}\", which is not a degree of freedom; known are {}.", direction, fmt::join(degree_words, ", ")));
-    if (!seen.insert(direction).second) refuse(places.of(path + ".free_dofs"), fmt::format("free_dofs contains {} twice; keep one.", direction));
-  }
+      refuse_here(fmt::format("free_dofs contains \"{}\", which is not a degree of freedom; known are {}.", direction, fmt::join(degree_words, ", ")));
+  };
+  check_distinct("free_dofs", impactor.free_dofs, expect_known, refuse_here);
 }
 
 /// Far from the origin, coordinates are rounded to more than the displacements of particles.

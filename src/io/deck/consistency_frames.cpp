@@ -4,12 +4,12 @@
 
 #include <algorithm>
 #include <iterator>
-#include <set>
 #include <string>
 #include <vector>
 
 #include "io/deck/did_you_mean.hpp"
 #include "io/deck/yaml_node.hpp"
+#include "perimpact/deck_model/distinct_words.hpp"
 
 namespace perimpact::deck {
 
@@ -17,12 +17,12 @@ namespace {
 
 void check_fields(const std::vector<std::string>& fields, const std::string& place) {
   const std::vector<std::string> known(std::begin(frame_field_words), std::end(frame_field_words));
-  std::set<std::string> seen;
-  for (const std::string& field : fields) {
+  const auto refuse_here = [&](const std::string& sentence) { refuse(place, sentence); };
+  const auto expect_known = [&](const std::string& field) {
     if (std::find(known.begin(), known.end(), field) == known.end())
-      refuse(place, fmt::format("frame_fields contains \"{}\", which is not a field of the particles; {}", field, suggestion(field, known)));
-    if (!seen.insert(field).second) refuse(place, fmt::format("frame_fields contains {} twice; keep one.", field));
-  }
+      refuse_here(fmt::format("frame_fields contains \"{}\", which is not a field of the particles; {}", field, suggestion(field, known)));
+  };
+  check_distinct("frame_fields", fields, expect_known, refuse_here);
 }
 
 void check_box(const FrameBoxSetup& box, const std::string& path, const Places& places) {

@@ -2,11 +2,11 @@
 
 #include <fmt/format.h>
 
-#include <set>
 #include <string>
 
 #include "io/deck/yaml_node.hpp"
 #include "perimpact/deck_model/deck_context.hpp"
+#include "perimpact/deck_model/distinct_words.hpp"
 
 namespace perimpact::deck {
 
@@ -26,9 +26,8 @@ void check_failure(const BodySetup& body, const std::string& path, const Places&
   if (!body.elastic().may_fail())
     refuse(places.of(path + ".failure"),
            "failure is given, but the material never fails; give it a critical_stretch, fracture_energy or flexural_strength, or remove failure.");
-  std::set<std::string> seen;
-  for (const std::string& name : body.failure->no_fail)
-    if (!seen.insert(name).second) refuse(places.of(path + ".failure.no_fail"), fmt::format("no_fail contains {} twice; keep one.", name));
+  const auto exists_or_not = [](const std::string&) {};  // known once the body is made
+  check_distinct("no_fail", body.failure->no_fail, exists_or_not, [&](const std::string& sentence) { refuse(places.of(path + ".failure.no_fail"), sentence); });
   const bool is_limit = body.failure->compression.as<CompressionFailure>() == CompressionFailure::limit;
   if (is_limit && !body.failure->critical_compression)
     refuse(places.of(path + ".failure.compression"), "compression is limit, but critical_compression is missing; give it, such as 0.01.");

@@ -2,17 +2,12 @@
 
 #include <fmt/format.h>
 
-#include <algorithm>
 #include <array>
-#include <charconv>
-#include <cmath>
-#include <optional>
 #include <string_view>
+#include <utility>
+#include <vector>
 
-#include "io/deck/deck_file.hpp"
-#include "io/deck/trimmed.hpp"
-#include "io/deck/units.hpp"
-#include "io/deck/yaml_node.hpp"
+#include "io/deck/table_parser.hpp"
 
 namespace perimpact::deck {
 
@@ -32,13 +27,12 @@ std::vector<std::string_view> cells_of(std::string_view line) {
   }
 }
 
-class PointListParser {
+class PointListParser : public TableParser {
  public:
-  explicit PointListParser(const std::string& file) : file_(file) {}
+  explicit PointListParser(const std::string& file) : TableParser(file, "four") {}
 
   void header(std::string_view line) {
-    ++line_;
-    const auto cells = cells_of(line.starts_with("\xEF\xBB\xBF") ? line.substr(3) : line);
+    const auto cells = cells_of(line);
     std::array<bool, 4> is_named{};
     if (cells.size() != column_names.size()) fail_header(line);
     for (std::size_t cell = 0; cell < cells.size(); ++cell) {
@@ -55,18 +49,15 @@ class PointListParser {
   }
 
   void row(std::string_view line) {
-    ++line_;
     if (trimmed_cell(line).empty()) return;
     std::array<double, 4> values{};
     std::string_view rest = line;
     for (std::size_t cell = 0; cell < values.size(); ++cell) {
       const std::size_t comma = rest.find(',');
       if ((comma == std::string_view::npos) != (cell + 1 == values.size())) fail_row(line);
-      values[column_of_[cell]] = factor_[column_of_[cell]] * number(trimmed_cell(rest.substr(0, comma)), line);
+      values[column_of_[cell]] = number(trimmed_cell(rest.substr(0, comma)), factor_[column_of_[cell]], line);
       rest.remove_prefix(comma == std::string_view::npos ? rest.size() : comma + 1);
     }
-    if (!std::ranges::all_of(values, [](double value) { return std::isfinite(value); }))
-      fail(fmt::format("the row \"{}\" has a number that is too large in SI units; correct it.", line));
     if (!(values[3] > 0)) fail(fmt::format("the volume is {} m3, but it must be above 0; correct or remove the row.", values[3]));
     list_.points.push_back({values[0], values[1], values[2]});
     list_.volumes.push_back(values[3]);
@@ -78,32 +69,10 @@ class PointListParser {
   }
 
  private:
-  [[noreturn]] void fail(std::string_view sentence) const { refuse(fmt::format("{}:{}", file_, line_), sentence); }
-
   [[noreturn]] void fail_header(std::string_view line) const {
-    fail(fmt::format("the first line is \"{}\", but it must name the four columns with their units: {}.", trimmed_cell(line.substr(0, 60)), header_example));
+    fail(fmt::format("the first line is \"{}\", but it must name the four columns with their units: {}.", excerpt(line), header_example));
   }
 
-  [[noreturn]] void fail_row(std::string_view line) const {
-    fail(fmt::format("\"{}\" is not four comma-separated numbers; correct the row.", trimmed_cell(line.substr(0, 60))));
-  }
-
-  double factor(std::string_view unit, std::string_view si) const {
-    const Converted one = to_si(fmt::format("1 {}", unit), si);
-    if (!one.complaint.empty()) fail(fmt::format("the unit of a column is [{}], but {}.", unit, one.complaint));
-    return one.value;
-  }
-
-  double number(std::string_view word, std::string_view line) const {
-    const std::string_view digits = word.starts_with('+') ? word.substr(1) : word;
-    double value{};
-    const auto [end, error] = std::from_chars(digits.data(), digits.data() + digits.size(), value);
-    if (digits.empty() || error != std::errc{} || end != digits.data() + digits.size() || !std::isfinite(value)) fail_row(line);
-    return value;
-  }
-
-  const std::string& file_;
-  std::size_t line_ = 0;
   std::array<std::size_t, 4> column_of_{};
   std::array<double, 4> factor_{1, 1, 1, 1};
   PointList list_;
@@ -112,14 +81,7 @@ class PointListParser {
 }  // namespace
 
 PointList read_point_list(const std::filesystem::path& path, const std::string& place) {
-  const std::string file = full_path(path, place);
-  std::ifstream stream = open_file(file, place);
-  PointListParser parser(file);
-  std::string line;
-  std::getline(stream, line);
-  parser.header(line);
-  while (std::getline(stream, line)) parser.row(line);
-  return parser.finish();
+  return parsed_table(path, place, [](const std::string& file) { return PointListParser(file); });
 }
 
 }  // namespace perimpact::deck

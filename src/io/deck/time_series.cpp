@@ -2,14 +2,10 @@
 
 #include <fmt/format.h>
 
-#include <charconv>
-#include <cmath>
 #include <string_view>
+#include <utility>
 
-#include "io/deck/deck_file.hpp"
-#include "io/deck/trimmed.hpp"
-#include "io/deck/units.hpp"
-#include "io/deck/yaml_node.hpp"
+#include "io/deck/table_parser.hpp"
 
 namespace perimpact::deck {
 
@@ -22,13 +18,12 @@ std::pair<std::string_view, std::string_view> columns_of(std::string_view line) 
                                          : std::pair(trimmed_cell(line.substr(0, comma)), trimmed_cell(line.substr(comma + 1)));
 }
 
-class TimeSeriesParser {
+class TimeSeriesParser : public TableParser {
  public:
-  TimeSeriesParser(const std::string& file, bool of_rotation) : file_(file), of_rotation_(of_rotation) {}
+  TimeSeriesParser(const std::string& file, bool of_rotation) : TableParser(file, "two"), of_rotation_(of_rotation) {}
 
   void header(std::string_view line) {
-    ++line_;
-    const auto [time, value] = columns_of(line.starts_with("\xEF\xBB\xBF") ? line.substr(3) : line);
+    const auto [time, value] = columns_of(line);
     const auto [time_name, time_unit] = named(time);
     const auto [value_name, value_unit] = named(value);
     if (time_name != "time" || (value_name != "velocity" && value_name != "displacement")) fail_header(line);
@@ -38,15 +33,13 @@ class TimeSeriesParser {
   }
 
   void row(std::string_view line) {
-    ++line_;
     if (trimmed_cell(line).empty()) return;
     const auto [time, value] = columns_of(line);
-    const double at = time_factor_ * number(time, line), reached = value_factor_ * number(value, line);
-    if (!std::isfinite(at) || !std::isfinite(reached)) fail(fmt::format("the row \"{}\" has a number that is too large in SI units; correct it.", line));
+    const double at = number(time, time_factor_, line);
     if (!series_.times.empty() && at <= series_.times.back())
       fail(fmt::format("the time {} s follows {} s, but times must increase.", at, series_.times.back()));
     series_.times.push_back(at);
-    series_.values.push_back(reached);
+    series_.values.push_back(number(value, value_factor_, line));
   }
 
   TimeSeries finish() {
@@ -55,11 +48,9 @@ class TimeSeriesParser {
   }
 
  private:
-  [[noreturn]] void fail(std::string_view sentence) const { refuse(fmt::format("{}:{}", file_, line_), sentence); }
-
   [[noreturn]] void fail_header(std::string_view line) const {
     fail(fmt::format("the first line is \"{}\", but it must name the two columns: \"time [s], velocity [{}]\" or \"time [s], displacement [{}]\".",
-                     trimmed_cell(line.substr(0, 60)), of_rotation_ ? "rad/s" : "m/s", of_rotation_ ? "rad" : "m"));
+                     excerpt(line), of_rotation_ ? "rad/s" : "m/s", of_rotation_ ? "rad" : "m"));
   }
 
   /// "velocity [m/s]" to its name and unit.
@@ -69,24 +60,7 @@ class TimeSeriesParser {
     return {trimmed_cell(column.substr(0, open)), trimmed_cell(column.substr(open + 1, column.size() - open - 2))};
   }
 
-  double factor(std::string_view unit, std::string_view si) const {
-    const Converted one = to_si(fmt::format("1 {}", unit), si);
-    if (!one.complaint.empty()) fail(fmt::format("the unit of a column is [{}], but {}.", unit, one.complaint));
-    return one.value;
-  }
-
-  double number(std::string_view word, std::string_view line) const {
-    const std::string_view digits = word.starts_with('+') ? word.substr(1) : word;
-    double value{};
-    const auto [end, error] = std::from_chars(digits.data(), digits.data() + digits.size(), value);
-    if (digits.empty() || error != std::errc{} || end != digits.data() + digits.size() || !std::isfinite(value))
-      fail(fmt::format("\"{}\" is not two comma-separated numbers; correct the row.", trimmed_cell(line.substr(0, 60))));
-    return value;
-  }
-
-  const std::string& file_;
   bool of_rotation_;
-  std::size_t line_ = 0;
   double time_factor_ = 1, value_factor_ = 1;
   TimeSeries series_;
 };
@@ -94,14 +68,7 @@ class TimeSeriesParser {
 }  // namespace
 
 TimeSeries read_time_series(const std::filesystem::path& path, bool of_rotation, const std::string& place) {
-  const std::string file = full_path(path, place);
-  std::ifstream stream = open_file(file, place);
-  TimeSeriesParser parser(file, of_rotation);
-  std::string line;
-  std::getline(stream, line);
-  parser.header(line);
-  while (std::getline(stream, line)) parser.row(line);
-  return parser.finish();
+  return parsed_table(path, place, [&](const std::string& file) { return TimeSeriesParser(file, of_rotation); });
 }
 
 }  // namespace perimpact::deck

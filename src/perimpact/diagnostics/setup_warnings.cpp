@@ -7,6 +7,7 @@
 
 #include "base/grouped_sentences.hpp"
 #include "perimpact/diagnostics/diagnosis.hpp"
+#include "perimpact/impactor/may_move.hpp"
 #include "perimpact/impactor/rigid_body_of.hpp"
 
 namespace perimpact {
@@ -115,20 +116,16 @@ void warn_of_interpenetration(const Setup& setup, const Body& body, GroupedSente
                            body.name));
 }
 
-void warn_of_still_windows(const Setup& setup, GroupedSentences& warnings) {
+void warn_of_still_windows(const Setup& setup, std::span<const Impactor> impactors, GroupedSentences& warnings) {
   for (const BodySetup& body : setup.bodies) {
     if (!body.moving_window) continue;
-    const std::string& followed = body.moving_window->follow;
-    const auto impactor = std::ranges::find(setup.impactors, followed, &ImpactorSetup::name);
-    if (impactor == setup.impactors.end()) continue;  // refused elsewhere
-    const bool is_x = body.moving_window->axis.as<WindowAxis>() == WindowAxis::x;
-    const std::string axis = is_x ? "x" : "y";
-    const bool is_free = std::ranges::find(impactor->free_dofs, axis) != impactor->free_dofs.end();
-    if (is_free || (is_x ? impactor->motion.x : impactor->motion.y) || impactor->velocity[is_x ? 0 : 1] != 0) continue;
-    warnings.add("window", body.name,
-                 fmt::format("The moving window of body {} follows impactor {}, which does not move along {}: give it a velocity or a motion there, or remove "
-                             "moving_window.",
-                             body.name, followed, axis));
+    const auto axis = static_cast<std::size_t>(body.moving_window->axis.index);
+    for (std::size_t i = 0; i < impactors.size(); ++i)
+      if (impactors[i].name() == body.moving_window->follow && !may_move(setup.impactors[i], impactors[i], axis))
+        warnings.add("window", body.name,
+                     fmt::format("The moving window of body {} follows impactor {}, which does not move along {}: give it a velocity or a motion there, or "
+                                 "remove moving_window.",
+                                 body.name, impactors[i].name(), degree_words[axis]));
   }
 }
 
@@ -152,7 +149,7 @@ std::vector<std::string> warnings_about_bodies(const Setup& setup, std::span<con
 
 std::vector<std::string> warnings_about_impactors(const Setup& setup, std::span<const Body> bodies, std::span<const Impactor> impactors, double dt) {
   GroupedSentences warnings;
-  warn_of_still_windows(setup, warnings);
+  warn_of_still_windows(setup, impactors, warnings);
   warn_of_overlaps(setup, impactors, warnings);
   warn_of_surfaces(setup, bodies, impactors, dt, warnings);
   return warnings.sentences();

@@ -7,6 +7,7 @@
 #include <numbers>
 
 #include "perimpact/deck_model/setup_error.hpp"
+#include "perimpact/impactor/may_move.hpp"
 
 namespace perimpact {
 
@@ -14,11 +15,8 @@ namespace {
 
 /// The first out-of-plane degree of freedom in which it may move.
 std::optional<std::string_view> way_out_of_plane(const ImpactorSetup& setup, const Impactor& impactor) {
-  const Vec3d velocity = impactor.fastest_velocity(), spin = impactor.fastest_angular_velocity();
-  const bool moves[] = {false, false, velocity.z != 0, spin.x != 0, spin.y != 0, false};
   for (const std::size_t degree : {2u, 3u, 4u})
-    if (moves[degree] || setup.motion.of(degree) || std::find(setup.free_dofs.begin(), setup.free_dofs.end(), degree_words[degree]) != setup.free_dofs.end())
-      return degree_words[degree];
+    if (may_move(setup, impactor, degree)) return degree_words[degree];
   return std::nullopt;
 }
 

@@ -4,12 +4,24 @@
 
 #include <map>
 #include <random>
+#include <vector>
 
 #include "base/error.hpp"
 #include "fccda/deforming/scenes.hpp"
 #include "fixtures/tolerance.hpp"
 
 using namespace deforming;
+
+namespace {
+
+/// The vertices of these panels, displaced.
+std::vector<Vec3d> along_x(const Panels& panels, double way) {
+  std::vector<Vec3d> vertices = panels.vertices;
+  for (Vec3d& x : vertices) x.x += way;
+  return vertices;
+}
+
+}  // namespace
 
 TEST_CASE("deforming: of points on random paths exactly those are in contact that cross the moving surface") {
   std::mt19937_64 random(11);
@@ -310,29 +322,20 @@ TEST_CASE("deforming: a detection needs a step of the surface, and a radius that
 TEST_CASE("deforming: a point that the surface was placed beside, and then moved over, is in contact") {
   const Panels cube = fixtures::unit_cube();
   const auto surface = std::make_shared<DeformingSurface>(Surface(cube));
-  const auto at = [&](double way) {
-    std::vector<Vec3d> vertices = cube.vertices;
-    for (Vec3d& x : vertices) x.x += way;
-    return vertices;
-  };
   TestPoints points;
   points.x0 = {{2, 0.4, 0.5}}, points.x1 = points.x0;
   Deforming detector(surface, 0);
-  surface->move(at(0.001));
+  surface->move(along_x(cube, 0.001));
   CHECK(deforming::detect(detector, points).empty());  // its distance of nearly 1 is known now
-  surface->place(at(0.99));
-  surface->move(at(1.01));
+  surface->place(along_x(cube, 0.99));
+  surface->move(along_x(cube, 1.01));
   CHECK(deforming::detect(detector, points).size() == 1);
 }
 
 TEST_CASE("deforming: a step of the surface without a detection is noticed") {
   const Panels cube = fixtures::unit_cube();
   const auto surface = std::make_shared<DeformingSurface>(Surface(cube));
-  const auto move = [&](double way) {
-    std::vector<Vec3d> vertices = cube.vertices;
-    for (Vec3d& x : vertices) x.x += way;
-    surface->move(vertices);
-  };
+  const auto move = [&](double way) { surface->move(along_x(cube, way)); };
   TestPoints points;
   points.x0 = {{2, 0.4, 0.5}}, points.x1 = points.x0;
   Deforming detector(surface, 0);

@@ -154,19 +154,17 @@ TEST_CASE("consistency: the path of a surface file is relative to the deck's fol
   const std::filesystem::path hull = folder / "hull.stl";
   std::filesystem::remove(hull);
   const auto read_there = [&] { return deck::read_deck_text(text, "deck.yaml", folder); };
-  try {
-    read_there();
-    FAIL("a missing file was accepted");
-  } catch (const fccda::InputError& error) {
-    CHECK(error.what() == place_of(text, "hull.stl") + ": there is no file " + hull.string() + "; relative names start at the deck's folder.");
-  }
+  const auto refused = [&](const std::string& sentence) {
+    try {
+      read_there();
+      FAIL("what is no file was accepted");
+    } catch (const fccda::InputError& error) {
+      CHECK(error.what() == place_of(text, "hull.stl") + ": " + sentence);
+    }
+  };
+  refused("there is no file " + hull.string() + "; relative names start at the deck's folder.");
   std::filesystem::create_directory(hull);
-  try {
-    read_there();
-    FAIL("a folder was accepted");
-  } catch (const fccda::InputError& error) {
-    CHECK(error.what() == place_of(text, "hull.stl") + ": " + hull.string() + " is a folder, but a file is needed.");
-  }
+  refused(hull.string() + " is a folder, but a file is needed.");
   std::filesystem::remove(hull);
   std::ofstream(hull) << "solid\n";
   const auto surface = std::get<FileSurface>(read_there().setup.impactors[0].surface);

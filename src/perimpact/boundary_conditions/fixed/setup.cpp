@@ -4,10 +4,10 @@
 
 #include <algorithm>
 #include <iterator>
-#include <set>
 #include <string>
 
 #include "perimpact/deck_model/deck_context.hpp"
+#include "perimpact/deck_model/distinct_words.hpp"
 #include "perimpact/deck_model/setup.hpp"
 
 namespace perimpact {
@@ -24,12 +24,12 @@ std::span<const Field<FixedSetup>> FixedSetup::fields() {
 }
 
 void FixedSetup::check(BodyContext& deck) {
-  std::set<std::string> seen;
-  for (const std::string& direction : directions) {
+  const auto refuse = [&](const std::string& sentence) { deck.refuse("directions", sentence); };
+  const auto expect_known = [&](const std::string& direction) {
     if (std::find(std::begin(axis_words), std::end(axis_words), direction) == std::end(axis_words))
-      deck.refuse("directions", fmt::format("directions contains \"{}\", which is not a direction; known are {}.", direction, fmt::join(axis_words, ", ")));
-    if (!seen.insert(direction).second) deck.refuse("directions", fmt::format("directions contains {} twice; keep one.", direction));
-  }
+      refuse(fmt::format("directions contains \"{}\", which is not a direction; known are {}.", direction, fmt::join(axis_words, ", ")));
+  };
+  check_distinct("directions", directions, expect_known, refuse);
 }
 
 }  // namespace perimpact
