@@ -9,7 +9,9 @@ sums over all particles; state_hash, of the end, is that of all positions, veloc
 """
 
 import argparse
+import concurrent.futures
 import os
+import queue
 import re
 import sys
 import tempfile
@@ -20,8 +22,8 @@ sys.path.append(str(ROOT / "benchmarks/plate"))
 import programs  # noqa: E402
 
 CASES = ROOT / "cases"
-UPDATES = 1e7  # particle-steps of each run, at most
 STEPS = 600
+CORES = 2  # of a run
 
 # all but as_printed.yaml, which contains what its paper prints, and which the program refuses
 DECKS = [str(path.relative_to(CASES)) for path in sorted(CASES.glob("*/*.yaml")) if path.name != "as_printed.yaml"]
@@ -55,44 +57,70 @@ CHANGES = {
 }  # fmt: skip
 
 
-def changes_of(program, deck):
+def changes_of(program, deck, updates, cores):
     """With the length of the run."""
     changes = {}
     for beginning, more in CHANGES.items():
         if deck.startswith(beginning):
             changes |= more
-    report = programs.run([program, "check", CASES / deck, *programs.changes(changes)], os.sched_getaffinity(0))
+    report = programs.run([program, "check", CASES / deck, *programs.changes(changes)], cores)
     step, steps = re.search(r"^\s*step\s+(\S+) s, (\d+) steps", report, re.MULTILINE).groups()
     particles = sum(int(number) for number in re.findall(r"^\s*particles\s+(\d+)", report, re.MULTILINE))
-    steps = min(int(steps), STEPS, int(UPDATES / particles))
+    steps = min(int(steps), STEPS, max(int(updates / particles), 10))
     return changes | {"time.step": step, "time.end": f"{steps * float(step):.9g}", "output.frames": 2, "output.history_interval": f"{5 * float(step):.9g}"}
 
 
-def run(program, deck, changes, device, out):
+def run(program, deck, changes, device, out, cores):
     """The report of the run, and its other files by name."""
-    programs.run([program, "run", CASES / deck, "--out", out, "--device", device, "--no-report", *programs.changes(changes)], os.sched_getaffinity(0), {"OMP_WAIT_POLICY": "passive"})
+    programs.run([program, "run", CASES / deck, "--out", out, "--device", device, "--no-report", *programs.changes(changes)], cores, {"OMP_WAIT_POLICY": "passive"})
     return programs.results_of(out)
+
+
+def compare(program, deck, device, updates, cores):
+    """A row of the table, and the files that differ."""
+    changes = changes_of(program, deck, updates, cores)
+    with tempfile.TemporaryDirectory() as folder:
+        scalar, wanted = run(program, deck, changes, "cpu-scalar", Path(folder) / "scalar", cores)
+        own, files = run(program, deck, changes, device, Path(folder) / "device", cores)
+    unequal = [file for file in wanted.keys() | files.keys() if wanted.get(file) != files.get(file)]
+    equal = not unequal and own["state_hash"] == scalar["state_hash"]
+    events = {name: "yes" if programs.has_values(wanted["history.csv"], column) else "no"
+              for name, column in (("contact", ".contacts [-]"), ("bonds break", ".broken_bonds [-]"), ("yields", ".plastic_dissipation [J]"), ("window moves", ".window_travel [m]"))}  # fmt: skip
+    return {"machine": programs.machine(), "deck": deck, "device": own.get("device", device), "steps": own["steps"], **events, "files": len(files), "to cpu-scalar": "equal" if equal else "differs"}, unequal
 
 
 def main():
     parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
     parser.add_argument("decks", nargs="*", choices=[[], *DECKS], metavar="DECK", help="all by default")
     parser.add_argument("--device", default="cuda", help="device that is compared (default cuda)")
+    parser.add_argument("--updates", type=float, default=1e7, help="particle-steps of each run, at most (default 1e7)")
     parser.add_argument("--program", type=Path, default=ROOT / "build/release/perimpact")
     arguments = parser.parse_args()
     program = arguments.program.resolve()
-    rows = []
-    for deck in arguments.decks or DECKS:
-        changes = changes_of(program, deck)
-        with tempfile.TemporaryDirectory() as folder:
-            scalar, wanted = run(program, deck, changes, "cpu-scalar", Path(folder) / "scalar")
-            own, files = run(program, deck, changes, arguments.device, Path(folder) / "device")
-        unequal = [file for file in wanted.keys() | files.keys() if wanted.get(file) != files.get(file)]
-        equal = not unequal and own["state_hash"] == scalar["state_hash"]
-        events = {name: "yes" if programs.has_values(wanted["history.csv"], column) else "no"
-                  for name, column in (("contact", ".contacts [-]"), ("bonds break", ".broken_bonds [-]"), ("yields", ".plastic_dissipation [J]"), ("window moves", ".window_travel [m]"))}  # fmt: skip
-        rows.append({"machine": programs.machine(), "deck": deck, "device": own["device"], "steps": own["steps"], **events, "files": len(files), "to cpu-scalar": "equal" if equal else "differs"})
-        print(*list(rows[-1].values())[1:], *unequal[:5], flush=True)
+
+    idle = queue.SimpleQueue()  # groups of cores
+    all_cores = sorted(os.sched_getaffinity(0))
+    for first in range(0, max(len(all_cores) - CORES + 1, 1), CORES):
+        idle.put(set(all_cores[first : first + CORES]))
+
+    failures = []
+
+    def rows_of(deck):
+        cores = idle.get()
+        try:
+            row, unequal = compare(program, deck, arguments.device, arguments.updates, cores)
+        except programs.CannotRun as error:
+            failures.append(f"{deck}: {error}")
+            return []
+        finally:
+            idle.put(cores)
+        print(*list(row.values())[1:], *unequal[:5], flush=True)
+        return [row]
+
+    with concurrent.futures.ThreadPoolExecutor(idle.qsize()) as pool:
+        rows = sum(pool.map(rows_of, arguments.decks or DECKS), [])
+    if failures:
+        raise programs.CannotRun("\n".join(failures))
     programs.write_results(f"gpu equality {rows[0]['device']}", rows)
     return 1 if any(row["to cpu-scalar"] != "equal" for row in rows) else 0
 

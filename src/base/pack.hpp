@@ -62,9 +62,9 @@ FCCDA_HD inline double select(unsigned bits, double a) { return (bits & 1u) ? a 
 FCCDA_HD inline unsigned bits_where_greater(double a, double b) { return a > b ? 1u : 0u; }
 FCCDA_HD inline double larger(double a, double b) { return a > b ? a : b; }
 
-/// Calls f(lane) for each set bit, in ascending order.
+/// Calls f(lane) for each set bit, in ascending order. On the host: nvcc compiles std::countr_zero() for a GPU without an error, but to wrong code.
 template <class F>
-FCCDA_HD void for_each_bit(unsigned bits, const F& f) {
+void for_each_bit(unsigned bits, const F& f) {
   for (; bits != 0; bits &= bits - 1) f(static_cast<std::size_t>(std::countr_zero(bits)));
 }
 

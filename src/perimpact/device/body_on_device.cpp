@@ -41,6 +41,7 @@ void BodyOnDevice::renew() { passes_->renew(); }
 void BodyOnDevice::to_host() const {
   passes_->motion().to_host();
   passes_->forces().to_host();
+  passes_->pressures_to_host();
 }
 void BodyOnDevice::to_host(std::span<const std::uint32_t> slots) const {
   passes_->motion().to_host(slots);
@@ -68,13 +69,8 @@ DeviceTraffic BodyOnDevice::traffic_of_step(Body& body, const SlotsOnHost& on_ho
   count(traffic.uploaded, on_host.loaded, force);
   traffic.downloaded += on_host.broken * (number + sizeof(double) + sizeof(std::uint32_t) * device::words_of_slot(body.family.offsets().size()));
   if (PlasticForce* plastic = body.internal.plastic()) {
-    traffic.downloaded += (sizeof(double) + sizeof(std::uint8_t)) * particles.slots();  // pressure, and whether the stress is known
-    if (plastic->law().needs_dilatation()) {                                            // then it is known of all
-      traffic.downloaded += 6 * sizeof(double) * particles.slots();
-      const PlasticForce::Evaluation evaluation = plastic->evaluation();
-      traffic.uploaded += evaluation.is_plastic.size_bytes();
-      for (const std::span<const double> array : evaluation.of_flow) traffic.uploaded += array.size_bytes();
-    }
+    traffic.downloaded += particles.slots() / fccda::byte_lanes;                                          // whether the stress is known
+    if (plastic->law().needs_dilatation()) traffic.downloaded += 6 * sizeof(double) * particles.slots();  // then it is known of all
   }
   return traffic;
 }

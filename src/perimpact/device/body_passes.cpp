@@ -15,6 +15,18 @@ namespace perimpact::device {
 
 using fccda::byte_lanes;
 
+namespace {
+
+/// Numbers of the eights whose mark is not 0.
+std::vector<std::uint32_t> marked(std::span<const std::uint8_t> marks) {
+  std::vector<std::uint32_t> eights;
+  for (std::size_t eight = 0; eight < marks.size(); ++eight)
+    if (marks[eight] != 0) eights.push_back(static_cast<std::uint32_t>(eight));
+  return eights;
+}
+
+}  // namespace
+
 BodyPasses::BodyPasses(Device& device, Body& body)
     : device_(&device),
       slots_(body.particles.slots()),
@@ -22,6 +34,7 @@ BodyPasses::BodyPasses(Device& device, Body& body)
       mirrors_(device),
       motion_(device, mirrors_, {&body.particles.position, &body.particles.velocity}),
       forces_(device, mirrors_, {&body.particles.force_density}),
+      eights_(device, mirrors_, slots_),
       words_(device, words_of(slots_, rows_)),
       travel_(device, travel_blocks(body.particles)),
       energy_(device, slots_),
@@ -30,6 +43,7 @@ BodyPasses::BodyPasses(Device& device, Body& body)
       motion_sums_(device, slots_ / byte_lanes),
       found_(device, slots_),
       is_hot_(device, slots_),
+      hot_bits_(device, slots_ / byte_lanes),
       broken_count_(device, 1),
       broken_(device, slots_) {
   const auto add = [&](const auto& array) { mirrors_.add(array); };
@@ -72,7 +86,7 @@ void BodyPasses::evaluate(Body& body, double dt, bool with_energy) {
   if (std::exchange(is_renewed_, false)) {
     upload_bonds(body.family);
     if (const PlasticForce* plastic = body.internal.plastic()) mirrors_.upload(plastic->pressures());
-    has_flowed_ = true;
+    is_flow_outdated_ = true;
   }
   motion_.to_device();
   body.internal.with_kernel_and_sums([&](auto& force, SumsOfEights& sums) { pass(force, body, dt, with_energy, sums); });
@@ -116,26 +130,36 @@ void BodyPasses::pass(PlasticForce& force, Body& body, double dt, bool with_ener
   force.pass_with(body.particles, body.family, {.with_energy = with_energy, .dt = dt}, [&](PlasticForce::Packs which) {
     const bool again = which == PlasticForce::Packs::affected;
     const PlasticForce::Evaluation evaluation = force.evaluation();
-    if (again) forces_.to_host(), motion_.to_host();  // as enter_return() reads them
-    upload_flow(evaluation, again);
+    upload_flow(evaluation);
     forget_broken();
-    const PlasticSlots slots = plastic_slots(evaluation, body.particles, !again || with_energy);
+    if (again) mirrors_.upload(evaluation.affected);
+    const bool all = !again || with_energy;
+    const PlasticSlots slots = plastic_slots(evaluation, body.particles, all);
+    if (again) begin_return(evaluation, slots);
     launch(force, slots, body, {.may_break = !again && force.breaking().is_armed(), .dt = dt});
-    enter_stress(evaluation);
-    if (again)
-      enter_return(evaluation, slots, body.particles, dt);
-    else
-      forces_.changed_on_device();
+    forces_.changed_on_device();
+    enter_stress(evaluation, all);
+    if (again) enter_return(evaluation, body.particles, dt);
+    pressures_there_ = std::span(evaluation.pressure, slots_);
     enter_broken(body.family, sums);
     if (with_energy) enter_density(body.particles, sums);
   });
 }
 
-/// What the host has changed since the last evaluation.
-void BodyPasses::upload_flow(const PlasticForce::Evaluation& evaluation, bool again) {
-  if (again) mirrors_.upload(evaluation.affected);
-  if (!std::exchange(has_flowed_, false)) return;
-  for (const std::span<const double> array : evaluation.of_flow) mirrors_.upload(array);
+/// Brings the pressures of the last pass to the host.
+void BodyPasses::pressures_to_host() {
+  if (!pressures_there_.empty()) mirrors_.download(std::exchange(pressures_there_, {}));
+}
+
+/// What the last flow has changed.
+void BodyPasses::upload_flow(const PlasticForce::Evaluation& evaluation) {
+  if (std::exchange(is_flow_outdated_, false)) {
+    for (const std::span<const double> array : evaluation.with_slack) mirrors_.upload(array);
+    return mirrors_.upload(evaluation.is_plastic);
+  }
+  const std::vector<std::uint32_t> changed = marked(evaluation.flows);
+  if (changed.empty()) return;
+  eights_.to_device(changed, evaluation.of_flow);
   mirrors_.upload(evaluation.is_plastic);
 }
 
@@ -188,32 +212,40 @@ void BodyPasses::launch(PlasticForce& force, const PlasticSlots& slots, const Bo
   });
 }
 
-/// Which stresses are known, and those, if there are any; pressures.
-void BodyPasses::enter_stress(const PlasticForce::Evaluation& evaluation) {
-  std::vector<std::uint8_t> is_hot(slots_);
-  device_->download(is_hot.data(), is_hot_.data(), is_hot.size());
-  std::fill(evaluation.is_hot.begin(), evaluation.is_hot.end(), std::uint8_t{0});
-  for (std::size_t slot = 0; slot < slots_; ++slot)
-    if (is_hot[slot] != 0) {
-      evaluation.is_hot[slot / byte_lanes] |= static_cast<std::uint8_t>(1u << (slot % byte_lanes));
-      has_flowed_ = true;
-    }
-  if (has_flowed_)
-    for (double* component : evaluation.stress) mirrors_.download(std::span(component, slots_));
-  mirrors_.download(std::span(evaluation.pressure, slots_));
+/// Which stresses are known, and those of the eights that were evaluated.
+void BodyPasses::enter_stress(const PlasticForce::Evaluation& evaluation, bool all) {
+  device_->launch(HotBitsKernel{is_hot_.data(), hot_bits_.data()}, evaluation.is_hot.size());
+  device_->download(evaluation.is_hot.data(), hot_bits_.data(), evaluation.is_hot.size());
+  std::vector<std::uint32_t> hot = marked(evaluation.is_hot);
+  if (!all) std::erase_if(hot, [&](std::uint32_t eight) { return evaluation.affected[eight] == 0; });
+  eights_.to_host(hot, evaluation.stress);
 }
 
-/// The forces after the last flow, on the host too, and the work that they do less.
-void BodyPasses::enter_return(const PlasticForce::Evaluation& evaluation, const PlasticSlots& slots, Particles& particles, double dt) {
-  std::array<std::vector<double>, 3> now;
-  for (std::size_t c = 0; c < 3; ++c) {
-    now[c].resize(slots_);
-    device_->download(now[c].data(), slots.force[c], slots_ * sizeof(double));
+/// The forces of affected eights before they are evaluated again.
+void BodyPasses::begin_return(const PlasticForce::Evaluation& evaluation, const PlasticSlots& slots) {
+  returning_ = marked(evaluation.affected);
+  if (returning_.size() > most_returning_) {
+    most_returning_ = std::min(std::max(returning_.size(), 2 * most_returning_), slots_ / byte_lanes);
+    list_of_returning_ = DeviceArray<std::uint32_t>(*device_, most_returning_);
+    forces_before_ = DeviceArray<double>(*device_, 3 * most_returning_ * byte_lanes);
+    lost_work_ = DeviceArray<double>(*device_, most_returning_ * byte_lanes);
   }
-  for (std::size_t slot = 0; slot < slots_; ++slot)
-    if (!slots.affected || evaluation.affected[slot / byte_lanes] != 0)
-      evaluation.dissipation[slot / byte_lanes] += plastic::lost_work(particles, slot, Vec3d{now[0][slot], now[1][slot], now[2][slot]}, dt);
-  for (std::size_t c = 0; c < 3; ++c) std::copy(now[c].begin(), now[c].end(), particles.force_density.component(c));
+  device_->upload(list_of_returning_.data(), returning_.data(), returning_.size() * sizeof(std::uint32_t));
+  const EightList list{list_of_returning_.data(), returning_.size()};
+  device_->launch(GatherEightsKernel<3>{list, {slots.force[0], slots.force[1], slots.force[2]}, forces_before_.data()}, list.places());
+}
+
+/// The work that the forces do less after a flow. That of eights which are not affected does not change.
+void BodyPasses::enter_return(const PlasticForce::Evaluation& evaluation, const Particles& particles, double dt) {
+  const EightList list{list_of_returning_.data(), returning_.size()};
+  device_->launch(
+      LostWorkKernel{list, mirrors_.on_device(particles.view()), forces_before_.data(), mirrors_.at(particles.force_density.pointers()), dt, lost_work_.data()},
+      list.places());
+  std::vector<double> lost(list.places());
+  device_->download(lost.data(), lost_work_.data(), lost.size() * sizeof(double));
+  const double* next = lost.data();
+  for (const std::uint32_t eight : returning_)
+    for (std::size_t lane = 0; lane < byte_lanes; ++lane) evaluation.dissipation[eight] += *next++;
 }
 
 /// The energy of each eight, from densities.

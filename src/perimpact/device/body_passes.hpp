@@ -5,10 +5,12 @@
 #include <cstdint>
 #include <span>
 #include <type_traits>
+#include <vector>
 
 #include "perimpact/body/body.hpp"
 #include "perimpact/device/bonds_of_slots.hpp"
 #include "perimpact/device/device.hpp"
+#include "perimpact/device/eights_in_transit.hpp"
 #include "perimpact/device/kernels.hpp"
 #include "perimpact/device/mirrored_vectors.hpp"
 #include "perimpact/device/mirrors.hpp"
@@ -24,6 +26,7 @@ class BodyPasses {
   void evaluate(Body& body, double dt, bool with_energy);
   MotionSums motion_sums(const Particles& particles, double dt);
   void renew();
+  void pressures_to_host();
   MirroredVectors& motion() { return motion_; }  ///< positions and velocities
   MirroredVectors& forces() { return forces_; }  ///< force densities
   Mirrors& mirrors() { return mirrors_; }        ///< of the arrays of the body
@@ -36,11 +39,12 @@ class BodyPasses {
   void pass(CorrespondenceForce<D>& force, Body& body, double dt, bool with_energy, SumsOfEights& sums);
   template <std::size_t D>
   void account_for_broken(const CorrespondenceView<D>& view, SumsOfEights& sums);
-  void upload_flow(const PlasticForce::Evaluation& evaluation, bool again);
+  void upload_flow(const PlasticForce::Evaluation& evaluation);
   PlasticSlots plastic_slots(const PlasticForce::Evaluation& evaluation, Particles& particles, bool all) const;
   void launch(PlasticForce& force, const PlasticSlots& slots, const Body& body, const PassOptions& options);
-  void enter_stress(const PlasticForce::Evaluation& evaluation);
-  void enter_return(const PlasticForce::Evaluation& evaluation, const PlasticSlots& slots, Particles& particles, double dt);
+  void enter_stress(const PlasticForce::Evaluation& evaluation, bool all);
+  void begin_return(const PlasticForce::Evaluation& evaluation, const PlasticSlots& slots);
+  void enter_return(const PlasticForce::Evaluation& evaluation, const Particles& particles, double dt);
   void enter_density(const Particles& particles, SumsOfEights& sums);
   BondsOfSlots bonds(const Family& family) const;
   Findings findings() const;
@@ -54,14 +58,21 @@ class BodyPasses {
   Device* device_;
   std::size_t slots_, rows_;
   bool is_renewed_ = false;
-  bool has_flowed_ = false;  // perhaps, since what flow changes was last uploaded
+  bool is_flow_outdated_ = false;      // on the device, in any slots
+  std::span<double> pressures_there_;  // [Pa] of the host, of which the device has later values
   Mirrors mirrors_;
   MirroredVectors motion_, forces_;
+  EightsInTransit eights_;
   DeviceArray<std::uint32_t> words_;  // bonds
   DeviceArray<double> travel_, energy_, energy_of_eights_, fracture_;
   DeviceArray<MotionSums> motion_sums_;  // of eights
   DeviceArray<Found> found_;
-  DeviceArray<std::uint8_t> is_hot_;
+  DeviceArray<std::uint8_t> is_hot_, hot_bits_;
+  // of eights that are evaluated again
+  std::vector<std::uint32_t> returning_;
+  std::size_t most_returning_ = 0;  // room, in eights
+  DeviceArray<std::uint32_t> list_of_returning_;
+  DeviceArray<double> forces_before_, lost_work_;     // [N/m³], [J]
   DeviceArray<std::uint32_t> broken_count_, broken_;  // a GrowingList
   std::size_t most_broken_ = 0;                       // room in the arrays of a list, in slots
   DeviceArray<std::uint32_t> words_of_broken_;

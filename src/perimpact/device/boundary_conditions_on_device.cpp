@@ -65,10 +65,11 @@ struct ListedArrays {
 
 /// A boundary condition on the device.
 struct Part {
-  std::size_t eights = 0;    // listed
-  std::size_t first = 0;     // of its sums among those of all
-  ListedArrays listed;       // of a load or a prescribed displacement
-  bool is_outdated = false;  // latest forces on the host
+  std::size_t eights = 0;                 // listed
+  std::size_t first = 0;                  // of its sums among those of all
+  ListedArrays listed;                    // of a load or a prescribed displacement
+  bool is_outdated = false;               // latest forces on the host
+  std::optional<EightsInTransit> intact;  // shares of intact bonds of floating bodies
 };
 
 class BoundaryPasses {
@@ -105,9 +106,8 @@ class BoundaryPasses {
   NumbersOfPlaces numbers_of(const Part& part, std::size_t first_quantity = 0) const {
     return {numbers_.data() + (part.first + first_quantity * part.eights) * byte_lanes, part.eights * byte_lanes};
   }
-  void update_surface(Floating& water, const Part& part, Body& body);
+  void update_surface(Floating& water, Part& part, Body& body);
   std::vector<std::uint32_t> deep_tops(Floating& water, const Part& part, Particles& particles);
-  void scatter_intact(const Floating& water, std::span<const std::uint32_t> eights);
   void flood(Floating& water, std::span<const std::uint32_t> tops, const Particles& particles);
   template <class Action>
   void outdate_latest_forces(Action& action, Part& part) {
@@ -132,6 +132,7 @@ BoundaryPasses::BoundaryPasses(Device& device, BodyPasses& body, const Particles
     if constexpr (owns_eights<Action>) {
       action.visit_arrays([&](const auto& array) { body_->mirrors().add(array); });
       part.eights = action.eights().count();
+      if constexpr (std::is_same_v<Action, Floating>) part.intact.emplace(device, body_->mirrors(), part.eights * byte_lanes);
     } else if constexpr (has_kernels<Action>) {
       const ListedEights eights(action.slots());
       part.eights = eights.count();
@@ -285,26 +286,13 @@ void BoundaryPasses::enter_sums(const Particles& particles, const fccda::Step& n
 }
 
 /// Exposed particles, shares of intact bonds and dry tops, of which few change.
-void BoundaryPasses::update_surface(Floating& water, const Part& part, Body& body) {
+void BoundaryPasses::update_surface(Floating& water, Part& part, Body& body) {
   const Floating::SurfaceChange change = water.update_surface(body.particles, body.family, body.internal.broken_ends());
   if (change.is_exposed && part.eights > 0) body_->mirrors().upload(water.exposed());
-  if (!change.eights.empty()) scatter_intact(water, change.eights);
+  part.intact->to_device(change.eights, std::array{water.intact_shares().data()});
   if (!water.has_dry_top()) return;
   flood(water, change.tops, body.particles);
   flood(water, deep_tops(water, part, body.particles), body.particles);
-}
-
-void BoundaryPasses::scatter_intact(const Floating& water, std::span<const std::uint32_t> eights) {
-  const std::span<const double> shares = water.intact_shares();
-  if (MirroredVectors::is_most(eights.size() * byte_lanes, shares.size())) return body_->mirrors().upload(shares);
-  std::vector<double> numbers;
-  for (const std::uint32_t eight : eights) {
-    const auto of_eight = shares.subspan(std::size_t{eight} * byte_lanes, byte_lanes);
-    numbers.insert(numbers.end(), of_eight.begin(), of_eight.end());
-  }
-  const DeviceArray<std::uint32_t> list = uploaded(eights);
-  const DeviceArray<double> values = uploaded(std::span<const double>(numbers));
-  device_->launch(ScatterEightsKernel{list.data(), values.data(), body_->mirrors().writable(shares.data())}, numbers.size());
 }
 
 std::vector<std::uint32_t> BoundaryPasses::deep_tops(Floating& water, const Part& part, Particles& particles) {

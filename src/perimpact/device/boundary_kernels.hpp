@@ -164,19 +164,7 @@ struct ReactKernel {
   }
 };
 
-/// Writes the numbers of listed eights.
-struct ScatterEightsKernel {
-  const std::uint32_t* eights;
-  const double* numbers;  // eight of each
-  double* to;             // by place
-
-  FCCDA_HD void operator()(std::size_t number) const {
-    const std::size_t lane = number % fccda::byte_lanes;
-    to[eights[number / fccda::byte_lanes] * fccda::byte_lanes + lane] = numbers[number];
-  }
-};
-
-using BoundaryKernels = std::variant<SumLanesKernel, LoadKernel, LiftKernel, DeepTopsKernel, WetKernel, ResistKernel, DampKernel, ImposeKernel,
-                                     ListedTravelKernel, ReactKernel, ScatterEightsKernel>;
+using BoundaryKernels =
+    std::variant<SumLanesKernel, LoadKernel, LiftKernel, DeepTopsKernel, WetKernel, ResistKernel, DampKernel, ImposeKernel, ListedTravelKernel, ReactKernel>;
 
 }  // namespace perimpact::device

@@ -1,11 +1,13 @@
-/// Kernels that copy the vectors of listed slots, so that few slots travel where few are needed.
+/// Kernels that copy the numbers of listed slots, or of listed eights, so that few slots travel where few are needed.
 #pragma once
 
 #include <array>
 #include <cstddef>
 #include <cstdint>
+#include <variant>
 
 #include "base/host_device.hpp"
+#include "base/pack.hpp"
 
 namespace perimpact::device {
 
@@ -39,5 +41,42 @@ struct ScatterKernel {
     for (std::size_t c = 0; c < 3; ++c) vectors[c][slot] = numbers[c * list.count + place];
   }
 };
+
+/// Eights in a list, each once. Their slots have places, eight after eight.
+struct EightList {
+  const std::uint32_t* eights;
+  std::size_t count;
+
+  FCCDA_HD std::size_t places() const { return count * fccda::byte_lanes; }
+  FCCDA_HD std::size_t slot(std::size_t place) const { return std::size_t{eights[place / fccda::byte_lanes]} * fccda::byte_lanes + place % fccda::byte_lanes; }
+};
+
+/// As GatherKernel, of the slots of listed eights.
+template <std::size_t arrays>
+struct GatherEightsKernel {
+  EightList list;
+  std::array<const double*, arrays> by_slot;
+  double* numbers;
+
+  FCCDA_HD void operator()(std::size_t place) const {
+    const std::size_t slot = list.slot(place);
+    for (std::size_t c = 0; c < arrays; ++c) numbers[c * list.places() + place] = by_slot[c][slot];
+  }
+};
+
+/// The reverse.
+template <std::size_t arrays>
+struct ScatterEightsKernel {
+  EightList list;
+  const double* numbers;
+  std::array<double*, arrays> by_slot;
+
+  FCCDA_HD void operator()(std::size_t place) const {
+    const std::size_t slot = list.slot(place);
+    for (std::size_t c = 0; c < arrays; ++c) by_slot[c][slot] = numbers[c * list.places() + place];
+  }
+};
+
+using EightsKernels = std::variant<GatherEightsKernel<3>, GatherEightsKernel<6>, ScatterEightsKernel<1>, ScatterEightsKernel<14>>;
 
 }  // namespace perimpact::device

@@ -8,6 +8,7 @@
 
 #include "base/host_device.hpp"
 #include "perimpact/device/bonds_of_slots.hpp"
+#include "perimpact/device/list_kernels.hpp"
 #include "perimpact/device/visits.hpp"
 #include "perimpact/materials/ordinary_state/plastic_kernels.hpp"
 
@@ -122,6 +123,36 @@ struct HotStressKernel {
     slots.is_hot[slot] = 1;
   }
 };
+
+/// Whether the stress of each slot of one eight is evaluated, as bits.
+struct HotBitsKernel {
+  const std::uint8_t* is_hot;  // of each slot
+  std::uint8_t* bits;          // of each eight
+
+  FCCDA_HD void operator()(std::size_t eight) const {
+    unsigned all = 0;
+    for (std::size_t lane = 0; lane < fccda::byte_lanes; ++lane) all |= (is_hot[eight * fccda::byte_lanes + lane] != 0 ? 1u : 0u) << lane;
+    bits[eight] = static_cast<std::uint8_t>(all);
+  }
+};
+
+/// What the forces of the step do less after a return, of each place in a list.
+struct LostWorkKernel {
+  EightList list;
+  ParticlesView particles;
+  const double* before;              // [N/m³] as GatherEightsKernel<3> writes it
+  std::array<const double*, 3> now;  // [N/m³] by slot
+  double dt;                         // [s]
+  double* lost;                      // [J]
+
+  FCCDA_HD void operator()(std::size_t place) const {
+    const std::size_t slot = list.slot(place), places = list.places();
+    const Vec3d force_before{before[place], before[places + place], before[2 * places + place]};
+    lost[place] = plastic::lost_work<double>(particles, slot, force_before, {now[0][slot], now[1][slot], now[2][slot]}, dt);
+  }
+};
+
+using ReturnKernels = std::variant<HotBitsKernel, LostWorkKernel>;
 
 /// The kernels with a surface correction.
 template <class Corrections, bool... is_plastic>

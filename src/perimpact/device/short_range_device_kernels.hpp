@@ -36,19 +36,19 @@ struct SlotOfBody {
 
 inline constexpr std::size_t moved_block = 64;  // particles, or numbers of blocks, of a thread
 
-/// Displacements of the particles of one block since the list was built.
+/// Displacements of one in so many particles since the list was built.
 struct MovedKernel {
   const ArraysOfBody* bodies;
   const SlotOfBody* particles;
   std::size_t count;
   std::array<const double*, 3> reference;  // [m]
   Vec3d drift;                             // [m]
-  NearPairs::Moved* moved;                 // of each block
+  NearPairs::Moved* moved;                 // of each thread
 
   FCCDA_HD void operator()(std::size_t block) const {
     NearPairs::Moved all;
-    const std::size_t begin = block * moved_block, end = begin + moved_block < count ? begin + moved_block : count;
-    for (std::size_t p = begin; p < end; ++p) {
+    // neighbouring threads read neighbouring particles
+    for (std::size_t p = block, blocks = (count + moved_block - 1) / moved_block; p < count; p += blocks) {
       const Vec3d by = bodies[particles[p].body].position_at(particles[p].slot) - Vec3d{reference[0][p], reference[1][p], reference[2][p]};
       all.include({by, by, squared_norm(by - drift)});
     }

@@ -225,8 +225,8 @@ FCCDA_HD void add_pairs(const ShortRangeView& view, std::size_t m, std::size_t f
     if (slides) {
       for (std::size_t c = 0; c < 3; ++c) slip[c] = load<Pack>(view.slip[c] + pair);
       const unsigned released = all & ~pushes & bits_where_greater(slip.x * slip.x + slip.y * slip.y + slip.z * slip.z, Pack(0.0));
-      for_each_bit(released,
-                   [&](std::size_t lane) { release_contact(view, pair + lane, view.tangential_stiffness(m, static_cast<std::size_t>(those[lane])), got); });
+      for_each_lane<Pack>(
+          released, [&](std::size_t lane) { release_contact(view, pair + lane, view.tangential_stiffness(m, static_cast<std::size_t>(those[lane])), got); });
     }
     if (pushes == 0) continue;
     if (is_damped) {

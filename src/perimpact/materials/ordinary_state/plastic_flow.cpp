@@ -37,6 +37,7 @@ bool PlasticForce::flow(const Particles& particles, const Family& family) {
     for (std::size_t eight = begin / byte_lanes; eight < end / byte_lanes; ++eight) {
       dissipation_[eight] += pending_[eight];
       pending_[eight] = 0;
+      flows_[eight] = static_cast<std::uint8_t>((flows_[eight] & 1u) << 1);
       if (!is_hot_[eight]) continue;
       for (std::size_t slot = eight * byte_lanes; slot < (eight + 1) * byte_lanes; ++slot)
         if (is_stress_known(slot) && particles.owns(slot)) most = std::max(most, flow(slot, particles, family));
@@ -72,6 +73,7 @@ void PlasticForce::mark_ghosts(const Particles& particles, const Family& family)
 
 void PlasticForce::derive_from_state(const Particles& particles, const Family& family) {
   find_resistance(particles);
+  std::fill(flows_.begin(), flows_.end(), std::uint8_t{1});  // the next flow may change any increment
   parallel_for_blocks(particles.slots(), 256, [&](std::size_t first, std::size_t last) {
     for (std::size_t slot = first; slot < last; ++slot)
       if (particles.owns(slot) && equivalent_.component(0)[slot] > 0) mark_family(is_plastic_, 1, slot, family);
@@ -89,6 +91,7 @@ double PlasticForce::flow(std::size_t slot, const Particles& particles, const Fa
   double overshoot = 0;
   const bool is_crushed = has_failed_[slot] && second_invariant(stress) > plasticity_.residual * p * p;
   if (p > 0 && (is_crushed || plasticity_.ellipse.function(stress) > 0)) {
+    flows_[slot / byte_lanes] |= 1;
     increment =
         is_crushed ? return_to_residual(plasticity_.ellipse, plasticity_.residual, moduli_, stress) : return_to_surface(plasticity_.ellipse, moduli_, stress);
     SymmetricTensor removed;
@@ -141,6 +144,13 @@ void PlasticForce::mark_affected(const Particles& particles, const Family& famil
   mark_families_of(of_dilatation,
                    [&](std::size_t slot) { return (std::atomic_ref(affected_[slot / byte_lanes]).load(std::memory_order_relaxed) & of_strain) != 0; });
   mark_beside_ghosts(of_dilatation, [&](std::size_t ghost) { return (of_ghosts[ghost] & of_strain) != 0; });
+}
+
+std::array<const double*, 14> PlasticForce::arrays_of_flow() const {
+  std::array<const double*, 14> arrays;
+  for (std::size_t c = 0; c < 6; ++c) arrays[c] = strain_.component(c), arrays[6 + c] = increment_.component(c);
+  arrays[12] = pressure_slope_.component(0), arrays[13] = resistance_.component(0);
+  return arrays;
 }
 
 void PlasticForce::set_plastic_strain(std::size_t slot, const SymmetricTensor& strain, const Family& family) {

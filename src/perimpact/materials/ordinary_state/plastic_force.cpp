@@ -47,6 +47,7 @@ PlasticForce::PlasticForce(OrdinaryState law, const Plasticity& plasticity, cons
   is_plastic_.assign(slots / byte_lanes, 0);
   is_hot_.assign(slots / byte_lanes, 0);
   affected_.assign(slots / byte_lanes, 0);
+  flows_.assign(slots / byte_lanes, 0);
   dissipation_.assign(particles.slots() / byte_lanes, 0);
   pending_ = dissipation_;
 
@@ -124,6 +125,7 @@ void PlasticForce::evaluate(Packs which, Particles& particles, Family& family, c
     if constexpr (with_theta) particles.share().begin_refresh({theta_.component(0)});
     if (options.with_energy) std::fill(sums.energy.begin(), sums.energy.end(), 0.0);
     const std::array<double*, 6> stress = stress_.writable_pointers();
+    const std::array<double*, 3> forces = particles.force_density.writable_pointers();
     const auto evaluate_pack = [&](std::size_t eight, std::size_t slot) {
       if (skips(slot)) return;
       double& fracture = sums.fracture_energy[eight];
@@ -145,8 +147,11 @@ void PlasticForce::evaluate(Packs which, Particles& particles, Family& family, c
         }
         return elastic;
       });
-      if (again) dissipation_[eight] += lost_work(particles, slot, of.force, options.dt);
-      for (std::size_t c = 0; c < 3; ++c) store(particles.force_density.component(c) + slot, of.force[c]);
+      if (again) {
+        const Vec3<Pack> before{load<Pack>(forces[0] + slot), load<Pack>(forces[1] + slot), load<Pack>(forces[2] + slot)};
+        dissipation_[eight] += lost_work(body.particles, slot, before, of.force, options.dt);
+      }
+      for (std::size_t c = 0; c < 3; ++c) store(forces[c] + slot, of.force[c]);
       if (options.may_break) store(latest_pressure_.component(0) + slot, of.pressure);
       if (options.with_energy) sums.energy[eight] += energy_of_pack(of.energy, particles, slot);
     };
@@ -185,7 +190,7 @@ double PlasticForce::bytes() const {
       18 * strain_.slots() + 5 * equivalent_.slots() + theta_.slots() + stretch_.size() + dilatation_.size() + 3 * direction_.slots() + strength_.size();
   return correction_.bytes() + breaking_.bytes() +
          static_cast<double>(sizeof(double) * numbers + sizeof(double) * (dissipation_.size() + pending_.size()) + has_failed_.size() + is_plastic_.size() +
-                             is_hot_.size() + affected_.size());
+                             is_hot_.size() + affected_.size() + flows_.size());
 }
 
 }  // namespace perimpact

@@ -69,14 +69,16 @@ class PlasticForce {
   void with_view_of_lattice(const Particles& particles, const Bonds& bonds, std::size_t rows, double dt, const F& f);
   /// What an evaluation writes, or reads beside the view.
   struct Evaluation {
-    std::array<double*, 6> stress;                   ///< [Pa] of hot slots
-    double* pressure;                                ///< [Pa]
-    std::span<std::uint8_t> is_hot;                  ///< of each eight: bit l for slot 8 n + l
-    std::span<double> dissipation;                   ///< [J] of each eight
-    std::span<const std::uint8_t> is_plastic;        ///< of each eight: its kernels are those with plastic strain
-    std::span<const std::uint8_t> affected;          ///< of each eight
-    double elastic_limit;                            ///< [J/m³] beyond it slots without plastic strain are hot too
-    std::array<std::span<const double>, 4> of_flow;  ///< what flow changes and the view refers to
+    std::array<double*, 6> stress;                      ///< [Pa] of hot slots
+    double* pressure;                                   ///< [Pa]
+    std::span<std::uint8_t> is_hot;                     ///< of each eight: bit l for slot 8 n + l
+    std::span<double> dissipation;                      ///< [J] of each eight
+    std::span<const std::uint8_t> is_plastic;           ///< of each eight: its kernels are those with plastic strain
+    std::span<const std::uint8_t> affected;             ///< of each eight
+    double elastic_limit;                               ///< [J/m³] beyond it slots without plastic strain are hot too
+    std::span<const std::uint8_t> flows;                ///< of each eight: not 0 where the last flow has changed `of_flow`
+    std::array<const double*, 14> of_flow;              ///< what flow changes and the view refers to, by slot
+    std::array<std::span<const double>, 4> with_slack;  ///< the same, whole arrays
   };
   Evaluation evaluation() {
     return {stress_.writable_pointers(),
@@ -86,6 +88,8 @@ class PlasticForce {
             is_plastic_,
             affected_,
             elastic_limit_,
+            flows_,
+            arrays_of_flow(),
             {strain_.with_slack(), increment_.with_slack(), pressure_slope_.with_slack(), resistance_.with_slack()}};
   }
   std::span<const double> pressures() const { return pressure_.with_slack(); }  ///< [Pa] of each slot, which the view refers to
@@ -175,6 +179,7 @@ class PlasticForce {
     for (std::size_t c = 0; c < 6; ++c) array.component(c)[slot] = tensor[c];
   }
 
+  std::array<const double*, 14> arrays_of_flow() const;
   template <class Pack>
   void evaluate(Packs which, Particles& particles, Family& family, const PassOptions& options, SumsOfEights& sums);
   bool flow(const Particles& particles, const Family& family);
@@ -222,6 +227,7 @@ class PlasticForce {
   std::vector<std::uint8_t> is_plastic_;       // one of them, or one that is bonded to them, has plastic strain
   std::vector<std::uint8_t> is_hot_;           // bit l: the stress of slot l was computed in the last pass
   std::vector<std::uint8_t> affected_;         // by the last flow (mark_affected)
+  std::vector<std::uint8_t> flows_;            // bit 0: particles flowed in the last flow; bit 1: in the one before
   std::vector<double> dissipation_, pending_;  // [J] to the last pass; half of the latest flow, which belongs to the next step
 };
 

@@ -297,12 +297,11 @@ FCCDA_HD OfPack<Pack> force_of_pack(const View& body, std::size_t slot, const Br
   return {force, energy, Pack(-1.0 / 6) * virial};
 }
 
-/// [J] ½ (F - F′)·Δx V of a pack: what the forces of the step do less when F becomes F′, `now`.
+/// [J] ½ (F - F′)·Δx V of a pack: what the forces of the step do less when F, `before`, becomes F′, `now`.
 template <class Pack>
-double lost_work(const Particles& particles, std::size_t slot, const Vec3<Pack>& now, double dt) {
+FCCDA_HD double lost_work(const ParticlesView& particles, std::size_t slot, const Vec3<Pack>& before, const Vec3<Pack>& now, double dt) {
   Pack work(0.0);
-  for (std::size_t c = 0; c < 3; ++c)
-    work = fused_multiply_add(load<Pack>(particles.force_density.component(c) + slot) - now[c], load<Pack>(particles.velocity.component(c) + slot), work);
+  for (std::size_t c = 0; c < 3; ++c) work = fused_multiply_add(before[c] - now[c], load<Pack>(particles.velocity[c] + slot), work);
   return energy_of_pack(Pack(0.5 * dt) * work, particles, slot);
 }
 
