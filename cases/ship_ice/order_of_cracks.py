@@ -12,8 +12,11 @@ import matplotlib
 matplotlib.use("Agg")
 import matplotlib.pyplot as plt  # noqa: E402
 import numpy as np  # noqa: E402
-from figures import COLOURS, spacing_of  # noqa: E402
 from measure import history  # noqa: E402
+
+HERE = Path(__file__).resolve().parent
+sys.path.insert(0, str(HERE / "../../scripts/pictures"))
+from ship_in_ice import COLOURS, spacing_of  # noqa: E402
 from vtp_reader import picture_at  # noqa: E402
 
 SINCE_CONTACT = 0.9  # [s]

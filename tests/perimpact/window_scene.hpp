@@ -24,8 +24,9 @@ inline ImpactorSetup window_ball(const std::string& name, const Vec3d& position,
   return setup;
 }
 
-/// A floating strip of 64 x 8 x 4 cells along an axis, fixed at one end and with an absorbing layer at the other, whose window follows a guide by eight
-/// spacings in ten steps. A ball, of which the contact bounds leave out a part, breaks it, and an open sheet is pressed against it.
+/// A floating strip of 64 x 8 x 4 cells along an axis, held at one end in its plane and with an absorbing layer at the other, whose window
+/// follows a guide by eight spacings in ten steps; its front sinks under its weight. A ball, of which the contact bounds leave out a part, breaks it, and an
+/// open sheet is pressed against it.
 inline Setup window_strip(const std::filesystem::path& folder, bool along_x, double direction, Model model) {
   constexpr double top = 2 * window_spacing;
   const auto along = [&](double length, double across, double up) { return along_x ? Vec3d{length, across, up} : Vec3d{across, length, up}; };
@@ -42,7 +43,7 @@ inline Setup window_strip(const std::filesystem::path& folder, bool along_x, dou
   water.level = 0.004, water.drag = 1, water.damping = 2, water.dry_top = 0.001;
   AbsorbingSetup end;
   end.particle_set = "rear", end.face = Choice{face_words, (along_x ? 0 : 2) + (direction > 0 ? 1 : 0)}, end.reflection = 0.01;
-  strip.boundary_conditions = {{"sea", water}, {"ahead", FixedSetup{.particle_set = "front"}}, {"behind", end}};
+  strip.boundary_conditions = {{"sea", water}, {"ahead", FixedSetup{.particle_set = "front", .directions = {"x", "y"}}}, {"behind", end}};
   MovingWindowSetup window{.follow = "guide", .start_after = 0};
   window.axis.index = along_x ? 0 : 1;
   strip.moving_window = window;

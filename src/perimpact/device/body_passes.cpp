@@ -31,6 +31,7 @@ BodyPasses::BodyPasses(Device& device, Body& body)
     : device_(&device),
       slots_(body.particles.slots()),
       rows_(body.family.offsets().size()),
+      tiles_(*body.particles.lattice()),
       mirrors_(device),
       motion_(device, mirrors_, {&body.particles.position, &body.particles.velocity}),
       forces_(device, mirrors_, {&body.particles.force_density}),
@@ -100,7 +101,7 @@ void BodyPasses::pass(OrdinaryStateForce& force, Body& body, double dt, bool wit
     const auto view = mirrors_.on_device(view_of_host);
     const auto corrections = mirrors_.on_device(corrections_of_host);
     using Corrections = std::decay_t<decltype(corrections)>;
-    const auto launch = [&](const Kernel& kernel) { device_->launch(kernel, slots_); };
+    const auto launch = [&](const auto& kernel) { launch_tiled(kernel); };
     if (has_dilatation) {
       for_each_visit(force.breaking(), body, [&](const auto& breaker) {
         launch(DilatationKernel<std::decay_t<decltype(breaker)>, Corrections>{view, breaker, corrections, findings});
@@ -185,12 +186,12 @@ void BodyPasses::launch(PlasticForce& force, const PlasticSlots& slots, const Bo
     const auto corrections = mirrors_.on_device(corrections_of_host);
     using Corrections = std::decay_t<decltype(corrections)>;
     const auto dilatations = [&]<Visit visit>() {
-      device_->launch(PlasticDilatationKernel<false, visit, Corrections>{view, corrections, findings, slots}, slots_);
-      device_->launch(PlasticDilatationKernel<true, visit, Corrections>{view, corrections, findings, slots}, slots_);
+      launch_tiled(PlasticDilatationKernel<false, visit, Corrections>{view, corrections, findings, slots});
+      launch_tiled(PlasticDilatationKernel<true, visit, Corrections>{view, corrections, findings, slots});
     };
     const auto forces = [&]<bool with_theta, Visit visit>() {
-      device_->launch(PlasticForceKernel<false, with_theta, visit, Corrections>{view, corrections, findings, slots}, slots_);
-      device_->launch(PlasticForceKernel<true, with_theta, visit, Corrections>{view, corrections, findings, slots}, slots_);
+      launch_tiled(PlasticForceKernel<false, with_theta, visit, Corrections>{view, corrections, findings, slots});
+      launch_tiled(PlasticForceKernel<true, with_theta, visit, Corrections>{view, corrections, findings, slots});
     };
     if (force.law().needs_dilatation()) {
       if (options.may_break) {
@@ -208,7 +209,7 @@ void BodyPasses::launch(PlasticForce& force, const PlasticSlots& slots, const Bo
     } else {
       forces.template operator()<false, Visit::only>();
     }
-    device_->launch(HotStressKernel<Corrections>{view, corrections, slots, elastic_limit}, slots_);
+    launch_tiled(HotStressKernel<Corrections>{view, corrections, slots, elastic_limit});
   });
 }
 

@@ -12,6 +12,7 @@
 #include "perimpact/device/device.hpp"
 #include "perimpact/device/eights_in_transit.hpp"
 #include "perimpact/device/kernels.hpp"
+#include "perimpact/device/lattice_tiles.hpp"
 #include "perimpact/device/mirrored_vectors.hpp"
 #include "perimpact/device/mirrors.hpp"
 
@@ -46,6 +47,11 @@ class BodyPasses {
   void begin_return(const PlasticForce::Evaluation& evaluation, const PlasticSlots& slots);
   void enter_return(const PlasticForce::Evaluation& evaluation, const Particles& particles, double dt);
   void enter_density(const Particles& particles, SumsOfEights& sums);
+  /// Of a kernel that loops over bonds, for each slot.
+  template <class Kernel>
+  void launch_tiled(const Kernel& kernel) {
+    device_->launch(Tiled<Kernel>{kernel, tiles_}, tiles_.threads());
+  }
   BondsOfSlots bonds(const Family& family) const;
   Findings findings() const;
   void forget_broken();
@@ -57,6 +63,7 @@ class BodyPasses {
 
   Device* device_;
   std::size_t slots_, rows_;
+  LatticeTiles tiles_;
   bool is_renewed_ = false;
   bool is_flow_outdated_ = false;      // on the device, in any slots
   std::span<double> pressures_there_;  // [Pa] of the host, of which the device has later values

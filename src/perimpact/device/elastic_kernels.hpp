@@ -9,6 +9,7 @@
 #include "perimpact/damage/breakers.hpp"
 #include "perimpact/damage/pressed_strength.hpp"
 #include "perimpact/device/bonds_of_slots.hpp"
+#include "perimpact/device/lattice_tiles.hpp"
 #include "perimpact/device/visits.hpp"
 #include "perimpact/materials/ordinary_state/ordinary_state_kernels.hpp"
 
@@ -87,11 +88,12 @@ struct PressedStrengthKernel {
 
 /// The kernels with a surface correction.
 template <class Corrections, class... Breakers>
-using ElasticKernelsWith = std::variant<DilatationKernel<Unbreakable, Corrections>, DilatationKernel<Noting<Breakers>, Corrections>...,
-                                        DilatationKernel<Breakers, Corrections>..., ForceKernel<Unbreakable, Corrections, true, false>,
-                                        ForceKernel<Unbreakable, Corrections, true, true>, ForceKernel<Unbreakable, Corrections, false, false>,
-                                        ForceKernel<Unbreakable, Corrections, false, true>, ForceKernel<Noting<Breakers>, Corrections, false, false>...,
-                                        ForceKernel<Noting<Breakers>, Corrections, false, true>..., ForceKernel<Breakers, Corrections, false, true>...>;
+using ElasticKernelsWith =
+    std::variant<Tiled<DilatationKernel<Unbreakable, Corrections>>, Tiled<DilatationKernel<Noting<Breakers>, Corrections>>...,
+                 Tiled<DilatationKernel<Breakers, Corrections>>..., Tiled<ForceKernel<Unbreakable, Corrections, true, false>>,
+                 Tiled<ForceKernel<Unbreakable, Corrections, true, true>>, Tiled<ForceKernel<Unbreakable, Corrections, false, false>>,
+                 Tiled<ForceKernel<Unbreakable, Corrections, false, true>>, Tiled<ForceKernel<Noting<Breakers>, Corrections, false, false>>...,
+                 Tiled<ForceKernel<Noting<Breakers>, Corrections, false, true>>..., Tiled<ForceKernel<Breakers, Corrections, false, true>>...>;
 template <class Corrections>
 using ElasticKernels =
     ElasticKernelsWith<Corrections, BreakInTension<TensionOnStencil>, BreakByStrength<LengthOnStencil, false>, BreakByStrength<LengthOnStencil, true>>;

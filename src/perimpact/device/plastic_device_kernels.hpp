@@ -8,6 +8,7 @@
 
 #include "base/host_device.hpp"
 #include "perimpact/device/bonds_of_slots.hpp"
+#include "perimpact/device/lattice_tiles.hpp"
 #include "perimpact/device/list_kernels.hpp"
 #include "perimpact/device/visits.hpp"
 #include "perimpact/materials/ordinary_state/plastic_kernels.hpp"
@@ -156,11 +157,11 @@ using ReturnKernels = std::variant<HotBitsKernel, LostWorkKernel>;
 
 /// The kernels with a surface correction.
 template <class Corrections, bool... is_plastic>
-using PlasticKernelsWith =
-    std::variant<PlasticDilatationKernel<is_plastic, Visit::only, Corrections>..., PlasticDilatationKernel<is_plastic, Visit::first, Corrections>...,
-                 PlasticDilatationKernel<is_plastic, Visit::second, Corrections>..., PlasticForceKernel<is_plastic, true, Visit::only, Corrections>...,
-                 PlasticForceKernel<is_plastic, false, Visit::only, Corrections>..., PlasticForceKernel<is_plastic, false, Visit::first, Corrections>...,
-                 PlasticForceKernel<is_plastic, false, Visit::second, Corrections>..., HotStressKernel<Corrections>>;
+using PlasticKernelsWith = std::variant<
+    Tiled<PlasticDilatationKernel<is_plastic, Visit::only, Corrections>>..., Tiled<PlasticDilatationKernel<is_plastic, Visit::first, Corrections>>...,
+    Tiled<PlasticDilatationKernel<is_plastic, Visit::second, Corrections>>..., Tiled<PlasticForceKernel<is_plastic, true, Visit::only, Corrections>>...,
+    Tiled<PlasticForceKernel<is_plastic, false, Visit::only, Corrections>>..., Tiled<PlasticForceKernel<is_plastic, false, Visit::first, Corrections>>...,
+    Tiled<PlasticForceKernel<is_plastic, false, Visit::second, Corrections>>..., Tiled<HotStressKernel<Corrections>>>;
 template <class Corrections>
 using PlasticKernels = PlasticKernelsWith<Corrections, false, true>;
 

@@ -82,23 +82,59 @@ void MovingWindow::inspect_front(const Body& body, long moves) {
   for (const std::uint32_t slot : body.particles.slot_of()) {
     const int cell = lattice.cell(body.particles.share().whole_slot(slot))[axis_], from_front = moves < 0 ? cell : lattice.cells[axis_] - 1 - cell;
     if (from_front >= 2 * reach) continue;  // the family of particles with bonds to new material
-    front_displacement_ = std::max(front_displacement_, norm(body.particles.displacement(slot)));
     front_damage_ = std::max(front_damage_, body.family.damage(slot));
   }
-  std::array<double, 2> most{front_displacement_, front_damage_};
-  body.particles.share().ranks().max(most);
-  front_displacement_ = most[0], front_damage_ = most[1];
+  front_damage_ = body.particles.share().ranks().max(front_damage_);
+}
+
+void MovingWindow::continue_front(Body& body, long moves) const {
+  // Slopes are those over two spacings: within what a horizon holds at the front, which thus stays as it is held, and longer than the shortest waves.
+  constexpr int base = 2;
+  struct AtFront {
+    std::uint64_t line;  // of cells along the axis
+    bool is_second, is_damaged;
+    Vec3d displacement, velocity;
+  };
+  Particles& particles = body.particles;
+  const Share& share = particles.share();
+  const Lattice& whole = *particles.whole_lattice();
+  const int added = std::abs(cells_of(moves)[axis_]), length = whole.cells[axis_];
+  if (length < added + base + 1) return;
+  const std::size_t across = axis_ == 0 ? 1 : 0;
+  const auto place_of = [&](std::size_t slot) {  // distance from the front, and line
+    const std::array<int, 3> cell = whole.cell(share.whole_slot(slot));
+    return std::pair(moves < 0 ? cell[axis_] : length - 1 - cell[axis_],
+                     static_cast<std::size_t>(cell[2]) * static_cast<std::size_t>(whole.cells[across]) + static_cast<std::size_t>(cell[across]));
+  };
+  std::vector<AtFront> own;
+  for (const std::uint32_t slot : particles.slot_of()) {
+    const auto [from_front, line] = place_of(slot);
+    if (from_front == added || from_front == added + base)
+      own.push_back({line, from_front != added, body.family.damage(slot) > 0, particles.displacement(slot), particles.velocity.at(slot)});
+  }
+  std::vector<std::array<AtFront, 2>> front(static_cast<std::size_t>(whole.cells[across]) * static_cast<std::size_t>(whole.cells[2]));
+  for (const AtFront& one : share.ranks().join_all(std::span<const AtFront>(own))) front[one.line][one.is_second ? 1 : 0] = one;
+  for (const std::uint32_t slot : particles.slot_of()) {
+    const auto [from_front, line] = place_of(slot);
+    if (from_front >= added) continue;
+    const auto& [first, second] = front[line];
+    if (first.is_damaged || second.is_damaged) continue;
+    const double way = static_cast<double>(added - from_front) / base;
+    particles.position.set(slot, particles.reference(slot) + (first.displacement + way * (first.displacement - second.displacement)));
+    particles.velocity.set(slot, first.velocity + way * (first.velocity - second.velocity));
+  }
+  std::vector<double*> arrays;
+  for (VectorArray* vectors : {&particles.position, &particles.velocity})
+    for (double* component : vectors->writable_pointers()) arrays.push_back(component);
+  share.refresh(std::span<double* const>(arrays));
 }
 
 std::vector<std::string> MovingWindow::warnings() const {
-  constexpr double least = 0.01;  // of the spacing
-  const double spacing = length_of_move_ / cells_of_move;
-  if (front_damage_ == 0 && front_displacement_ < least * spacing) return {};
-  return {
-      fmt::format("The moving window of body {} moved although the material at its front was displaced (by up to {:.3g} of the spacing) or damaged (up to "
-                  "{:.3g}); the material attached to it is not. Make the body longer, or reduce moving_window.start_after, so that the impactor stays further "
-                  "from the front.",
-                  name_, front_displacement_ / spacing, front_damage_)};
+  if (front_damage_ == 0) return {};
+  return {fmt::format(
+      "The moving window of body {} moved although the material at its front was damaged (up to {:.3g}); the material attached to it is not. Make the "
+      "body longer, or reduce moving_window.start_after, so that the impactor stays further from the front.",
+      name_, front_damage_)};
 }
 
 std::vector<MovingWindow> moving_windows_of(const Setup& setup, std::span<const Body> bodies, std::span<const Impactor> impactors) {

@@ -2,7 +2,7 @@
 /// (docs/theory/moving_window.md).
 ///
 /// The lattice is a window onto an unbounded one. When it moves by whole cells, each slot takes over the state of the slot ahead of it; the slots at the front
-/// get undeformed material at rest, and the state of those behind is discarded. What belongs to slots stays in place: boundary conditions, surface correction,
+/// get new material, and the state of those behind is discarded. What belongs to slots stays in place: boundary conditions, surface correction,
 /// edges that do not break.
 #pragma once
 
@@ -34,9 +34,12 @@ class MovingWindow {
   long moves_due(std::span<const Impactor> impactors) const;
   void move(long moves) { moves_ += moves; }
 
-  /// To be called before a move: examines the material at the front, to which new, undeformed material is going to be attached. Collective.
+  /// To be called before a move: examines the material at the front, to which new material is going to be attached. Collective.
   void inspect_front(const Body& body, long moves);
-  /// A warning if this material was deformed or damaged in any move so far.
+  /// To be called after a move: new material, undeformed and at rest, continues the displacement and the velocity of the material at the front in a straight
+  /// line, so that it fits to it. Where that is damaged, new material remains as it is. Collective.
+  void continue_front(Body& body, long moves) const;
+  /// A warning if the material at the front was damaged in any move so far.
   std::vector<std::string> warnings() const;
 
   /// The cells that these moves are.
@@ -51,7 +54,7 @@ class MovingWindow {
   /// Record, which does not affect steps.
   template <class Visitor>
   void visit_record(Visitor&& visit) {
-    fccda::visit_members(visit, name_ + ".window_front", std::array{&front_displacement_, &front_damage_});
+    visit(name_ + ".window_front_damage", front_damage_);
   }
 
  private:
@@ -62,8 +65,7 @@ class MovingWindow {
   double start_after_, length_of_move_;  // [m]
   double start_;                         // [m] initial position of the impactor
   long moves_ = 0;
-  double front_displacement_ = 0;  // [m] largest
-  double front_damage_ = 0;        // [-] largest
+  double front_damage_ = 0;  // [-] largest
 };
 
 /// Of all bodies that have one. Throws SetupError.

@@ -235,6 +235,7 @@ void Simulation::move_window(MovingWindow& window, long moves) {
   for (std::size_t before = 0; before < b; ++before) slots_before += bodies_[before].particles.slots_of_whole();
   MovedState moved(captured, {body.name, b, slots_before, window.cells_of(moves), body.particles, body.family});
   visit_all(moved);
+  window.continue_front(bodies_[b], moves);
   boundary_conditions_[b].restart_potentials();
   for (Impactor& impactor : impactors_) impactor.forget_distances(b);
   monitors_.renew_balance();
