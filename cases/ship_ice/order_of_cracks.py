@@ -52,7 +52,7 @@ def main(results):
     for axis in axes[1]:
         axis.set_xlabel("y [m]")
     figure.colorbar(image, ax=axes, label="damage", shrink=0.7)
-    figure.savefig(Path(__file__).resolve().parent / "figures/order_of_cracks.png", dpi=85, bbox_inches="tight")
+    figure.savefig(HERE / "figures/order_of_cracks.png", dpi=85, bbox_inches="tight")
 
     figure, axis = plt.subplots(figsize=(8, 3.2))
     for title, time, force in curves:
@@ -60,7 +60,7 @@ def main(results):
     axis.set_xlim(0, None), axis.set_xlabel("time since contact [s]"), axis.set_ylabel("F_z on the bow [MN]")
     axis.legend(fontsize=8)
     figure.tight_layout()
-    figure.savefig(Path(__file__).resolve().parent / "figures/order_of_cracks_forces.png", dpi=85)
+    figure.savefig(HERE / "figures/order_of_cracks_forces.png", dpi=85)
 
 
 if __name__ == "__main__":
