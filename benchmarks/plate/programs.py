@@ -57,14 +57,15 @@ def exit_with(main):
 
 def run(command, cores, environment=None):
     """Standard output of a command, restricted to the given cores."""
+    before = os.sched_getaffinity(0)  # of this thread, which the command inherits
+    os.sched_setaffinity(0, cores)
     try:
         with tempfile.TemporaryDirectory() as folder:
-            done = subprocess.run(
-                command, cwd=folder, env={**os.environ, **(environment or {})}, capture_output=True, text=True, check=False,
-                preexec_fn=lambda: os.sched_setaffinity(0, cores),
-            )  # fmt: skip
+            done = subprocess.run(command, cwd=folder, env={**os.environ, **(environment or {})}, capture_output=True, text=True, check=False)
     except FileNotFoundError as error:
         raise CannotRun(f"{command[0]} is not installed.") from error
+    finally:
+        os.sched_setaffinity(0, before)
     if done.returncode:
         raise CannotRun(f"`{' '.join(map(str, command))}` ended with code {done.returncode}:\n{done.stdout[-1000:]}{done.stderr[-1000:]}")
     return done.stdout

@@ -1,5 +1,5 @@
 #!/usr/bin/python3
-"""Draws the figures of README.md: figures.py [RESULTS]
+"""Draws force, damage and scenes of a run into figures/: figures.py [RESULTS]
 
 RESULTS: folder of a run of deck.yaml (default: results/uikku_ice_302).
 """
@@ -28,7 +28,8 @@ def draw_force(folder, test, file):
     smooth = window_means(time, force, 2.0)
     axis.plot(time[: len(smooth)] + 1, smooth, color="#b3312c", linewidth=1.2, label="mean over 2 s")
     begin = sample(test["speed"])
-    axis.hlines(force[time > begin].mean(), begin, time[-1], color="#20506e", linewidth=1.6, label="mean of the sample")
+    if time[-1] > begin:
+        axis.hlines(force[time > begin].mean(), begin, time[-1], color="#20506e", linewidth=1.6, label="mean of the sample")
     axis.axhline(test["resistance"], color="#3a3a3a", linestyle="--", linewidth=1, label="measured mean")
     axis.axvspan(0, approach(test["speed"]), color="#000000", alpha=0.06, linewidth=0)
     axis.set_ylabel("F_x, resistance [kN]"), axis.set_xlabel("time [s]; grey: 1.5 m/s, until the bow is in the ice")

@@ -45,15 +45,15 @@ class BodyOnDevice {
 
   /// As advance() of the host (particles/advance.hpp). Afterwards positions and velocities are current on the device alone.
   void advance(Particles& particles, double dt, std::span<double> travel);
-  /// As InternalForce::evaluate() and, if with_energy, evaluate_with_energy(), one particle at a time. Afterwards force densities are current on the device
-  /// alone; bonds and energies are on the host.
+  /// As InternalForce::evaluate() and, if with_energy, evaluate_with_energy(), one particle at a time. Afterwards force densities, and pressures of what
+  /// yields, are current on the device alone; bonds and energies are on the host.
   void evaluate(Body& body, double dt, bool with_energy);
 
   /// As Body::motion().
   MotionSums motion(const Body& body, double dt);
 
-  /// Brings positions, velocities and force densities to the arrays of the host, of all slots or of these, unless they are current there. Must be called
-  /// before the host reads or changes them.
+  /// Brings positions, velocities and force densities to the arrays of the host, of all slots or of these, unless they are current there; of all slots also
+  /// pressures of what yields. Must be called before the host reads or changes them.
   void to_host() const;
   void to_host(std::span<const std::uint32_t> slots) const;
 

@@ -145,6 +145,7 @@ void BodyPasses::pass(PlasticForce& force, Body& body, double dt, bool with_ener
     enter_broken(body.family, sums);
     if (with_energy) enter_density(body.particles, sums);
   });
+  device_->outdate(pressures_there_);
 }
 
 /// Brings the pressures of the last pass to the host.

@@ -4,6 +4,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
+#include <utility>
 
 #include "perimpact/deck_model/setup_error.hpp"
 
@@ -88,7 +90,7 @@ void MovingWindow::inspect_front(const Body& body, long moves) {
 }
 
 void MovingWindow::continue_front(Body& body, long moves) const {
-  // Slopes are those over two spacings: within what a horizon holds at the front, which thus stays as it is held, and longer than the shortest waves.
+  // [cells] behind the front, for the slope; a set that is fixed over three cells thus has no slope, and new material there does not move either
   constexpr int base = 2;
   struct AtFront {
     std::uint64_t line;  // of cells along the axis
@@ -114,14 +116,30 @@ void MovingWindow::continue_front(Body& body, long moves) const {
   }
   std::vector<std::array<AtFront, 2>> front(static_cast<std::size_t>(whole.cells[across]) * static_cast<std::size_t>(whole.cells[2]));
   for (const AtFront& one : share.ranks().join_all(std::span<const AtFront>(own))) front[one.line][one.is_second ? 1 : 0] = one;
+  // Of damaged lines, by interpolation between the undamaged ones beside them in their layer.
+  const auto lines_of_layer = static_cast<std::size_t>(whole.cells[across]);
+  const auto undamaged = [&](std::size_t line, std::ptrdiff_t direction) -> std::optional<std::size_t> {
+    for (std::size_t at = line; at / lines_of_layer == line / lines_of_layer && at < front.size(); at += static_cast<std::size_t>(direction))
+      if (!front[at][0].is_damaged && !front[at][1].is_damaged) return at;
+    return std::nullopt;
+  };
   for (const std::uint32_t slot : particles.slot_of()) {
     const auto [from_front, line] = place_of(slot);
     if (from_front >= added) continue;
-    const auto& [first, second] = front[line];
-    if (first.is_damaged || second.is_damaged) continue;
-    const double way = static_cast<double>(added - from_front) / base;
-    particles.position.set(slot, particles.reference(slot) + (first.displacement + way * (first.displacement - second.displacement)));
-    particles.velocity.set(slot, first.velocity + way * (first.velocity - second.velocity));
+    const std::optional<std::size_t> before = undamaged(line, -1), after = undamaged(line, 1);
+    if (!before && !after) continue;
+    const std::size_t low = before ? *before : *after, high = after ? *after : *before;
+    const double part = low == high ? 0 : static_cast<double>(line - low) / static_cast<double>(high - low),
+                 way = static_cast<double>(added - from_front) / base;
+    const auto continued = [&](Vec3d AtFront::*quantity) {
+      const auto of_line = [&](std::size_t number) {
+        const Vec3d &first = front[number][0].*quantity, &second = front[number][1].*quantity;
+        return first + way * (first - second);
+      };
+      return low == high ? of_line(low) : of_line(low) + part * (of_line(high) - of_line(low));
+    };
+    particles.position.set(slot, particles.reference(slot) + continued(&AtFront::displacement));
+    particles.velocity.set(slot, continued(&AtFront::velocity));
   }
   std::vector<double*> arrays;
   for (VectorArray* vectors : {&particles.position, &particles.velocity})

@@ -36,8 +36,9 @@ class MovingWindow {
 
   /// To be called before a move: examines the material at the front, to which new material is going to be attached. Collective.
   void inspect_front(const Body& body, long moves);
-  /// To be called after a move: new material, undeformed and at rest, continues the displacement and the velocity of the material at the front in a straight
-  /// line, so that it fits to it. Where that is damaged, new material remains as it is. Collective.
+  /// To be called after a move: gives new material the displacement and the velocity of the front, continued linearly along each line of cells from the front
+  /// and the second cell behind it. Where a line is damaged there, both are interpolated between the undamaged lines beside it in its layer. New material stays
+  /// undeformed and at rest where a whole layer is damaged, and everywhere if fewer than three cells of the window are left of a move. Collective.
   void continue_front(Body& body, long moves) const;
   /// A warning if the material at the front was damaged in any move so far.
   std::vector<std::string> warnings() const;

@@ -50,7 +50,7 @@ TEST_CASE("ranks: rubble of a moving window keeps its contact, friction and comp
   CHECK(fixtures::expect_equal_on_ranks(setup).broken_bonds > 0);
 }
 
-TEST_CASE("ranks: the warning about a deformed front, and a body that cannot be a window, are those of one rank") {
+TEST_CASE("ranks: the warning about a damaged front, and a body that cannot be a window, are those of one rank") {
   const ::fixtures::TemporaryFolder folder;
   Setup setup = fixtures::window_strip(folder.path(), true, 1, fixtures::Model::bond_based);
   setup.bodies[0].boundary_conditions.clear();
