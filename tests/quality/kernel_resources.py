@@ -25,7 +25,7 @@ ENTRY = re.compile(
 
 def kind_of(name):
     for start, kind in (("AdvanceKernel", "advance"), ("::TravelKernel", "travel"), ("GatherKernel", "list"), ("ScatterKernel", "list"),
-                        ("GatherBondsKernel", "list"), ("NearnessKernel", "list"), ("MotionSumsKernel", "travel"), ("EightsKernel", "list"), ("HotBitsKernel", "list"), ("LostWorkKernel", "list"), ("SumLanesKernel", "list"), *((name, "boundary condition") for name in BOUNDARY),
+                        ("GatherBondsKernel", "list"), ("NearnessKernel", "list"), ("MotionSumsKernel", "travel"), ("HotBitsKernel", "list"), ("LostWorkKernel", "list"), ("SumLanesKernel", "list"), *((name, "boundary condition") for name in BOUNDARY),
                         ("PairForcesKernel", "pair forces"), *((f"device::{name}", "fragments") for name in FRAGMENTS),
                         *((f"device::{name}<", "deformation gradient") for name in GRADIENT), *((f"device::{name}<", "correspondence stress") for name in STRESS),
                         *((f"device::{name}<", "correspondence force") for name in ("BondLevelReturnKernel", "CorrespondenceForceKernel")),

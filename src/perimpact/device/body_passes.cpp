@@ -234,7 +234,7 @@ void BodyPasses::begin_return(const PlasticForce::Evaluation& evaluation, const 
   }
   device_->upload(list_of_returning_.data(), returning_.data(), returning_.size() * sizeof(std::uint32_t));
   const EightList list{list_of_returning_.data(), returning_.size()};
-  device_->launch(GatherEightsKernel<3>{list, {slots.force[0], slots.force[1], slots.force[2]}, forces_before_.data()}, list.places());
+  device_->launch(GatherKernel<EightList, 3>{list, {slots.force[0], slots.force[1], slots.force[2]}, forces_before_.data()}, list.places());
 }
 
 /// The work that the forces do less after a flow. That of eights which are not affected does not change.

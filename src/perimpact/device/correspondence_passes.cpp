@@ -67,7 +67,7 @@ void BodyPasses::account_for_broken(const CorrespondenceView<D>& view, SumsOfEig
   const DeviceArray<std::uint32_t> list(*device_, slots.size());
   const DeviceArray<double> gathered(*device_, 2 * slots.size());
   device_->upload(list.data(), slots.data(), slots.size() * sizeof(std::uint32_t));
-  device_->launch(GatherKernel<2>{{list.data(), slots.size()}, {known_.energy_before.data(), energy_.data()}, gathered.data()}, slots.size());
+  device_->launch(GatherKernel<SlotList, 2>{{list.data(), slots.size()}, {known_.energy_before.data(), energy_.data()}, gathered.data()}, slots.size());
   std::vector<double> energies(2 * slots.size());
   device_->download(energies.data(), gathered.data(), energies.size() * sizeof(double));
   for (std::size_t k = 0; k < slots.size(); ++k) sums.fracture_energy[slots[k] / byte_lanes] += energies[k];

@@ -29,7 +29,7 @@ class Device {
 };
 
 /// Version of Device and of the kernels: of the program and the library, which must agree.
-constexpr int device_version = 7;
+constexpr int device_version = 8;
 
 /// The function by which the library opens the first device. Returns a new object; nullptr if the library has another version, or with a reason if there is
 /// no device.

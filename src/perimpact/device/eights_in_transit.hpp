@@ -32,7 +32,7 @@ class EightsInTransit {
     device_->upload(numbers_.data(), on_the_way_.data(), arrays * list.places() * sizeof(double));
     std::array<double*, arrays> mirrored;
     for (std::size_t a = 0; a < arrays; ++a) mirrored[a] = mirrors_->writable(by_slot[a]);
-    device_->launch(ScatterEightsKernel<arrays>{list, numbers_.data(), mirrored}, list.places());
+    device_->launch(ScatterKernel<EightList, arrays>{list, numbers_.data(), mirrored}, list.places());
   }
 
   template <std::size_t arrays>
@@ -45,7 +45,7 @@ class EightsInTransit {
     const EightList list = uploaded(eights, arrays);
     std::array<const double*, arrays> mirrored;
     for (std::size_t a = 0; a < arrays; ++a) mirrored[a] = mirrors_->at(by_slot[a]);
-    device_->launch(GatherEightsKernel<arrays>{list, mirrored, numbers_.data()}, list.places());
+    device_->launch(GatherKernel<EightList, arrays>{list, mirrored, numbers_.data()}, list.places());
     device_->download(on_the_way_.data(), numbers_.data(), arrays * list.places() * sizeof(double));
     const double* from = on_the_way_.data();
     for (double* array : by_slot)

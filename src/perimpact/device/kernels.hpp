@@ -73,12 +73,12 @@ struct MotionSumsKernel {
 };
 
 /// All kernels.
-using Kernel = fccda::JoinedVariant<AdvanceKernel, TravelKernel, MotionSumsKernel, GatherKernel<2>, GatherKernel<3>, ScatterKernel, EightsKernels,
-                                    GatherBondsKernel, BoundaryKernels, ShortRangeKernels, PressedStrengthKernel, ElasticKernels<NoCorrections>,
-                                    ElasticKernels<Corrections<EnergyFactor, EnergyFactor>>, ElasticKernels<Corrections<VolumeFactor, VolumeFactor>>,
-                                    ElasticKernels<Corrections<FamilyFactor, PlainBonds, true>>, PlasticKernels<NoCorrections>, ReturnKernels,
-                                    PlasticKernels<Corrections<EnergyFactor, EnergyFactor>>, PlasticKernels<Corrections<VolumeFactor, VolumeFactor>>,
-                                    NearnessKernel, CorrespondenceKernels<2>, CorrespondenceKernels<3>>;
+using Kernel =
+    fccda::JoinedVariant<AdvanceKernel, TravelKernel, MotionSumsKernel, ListKernels, GatherBondsKernel, BoundaryKernels, ShortRangeKernels,
+                         PressedStrengthKernel, ElasticKernels<NoCorrections>, ElasticKernels<Corrections<EnergyFactor, EnergyFactor>>,
+                         ElasticKernels<Corrections<VolumeFactor, VolumeFactor>>, ElasticKernels<Corrections<FamilyFactor, PlainBonds, true>>,
+                         PlasticKernels<NoCorrections>, ReturnKernels, PlasticKernels<Corrections<EnergyFactor, EnergyFactor>>,
+                         PlasticKernels<Corrections<VolumeFactor, VolumeFactor>>, NearnessKernel, CorrespondenceKernels<2>, CorrespondenceKernels<3>>;
 
 static_assert(std::is_trivially_copyable_v<Kernel>, "kernels travel to the device as bytes");
 

@@ -15,31 +15,9 @@ namespace perimpact::device {
 struct SlotList {
   const std::uint32_t* slots;
   std::size_t count;
-};
 
-/// From arrays by slot to numbers by place in the list: all of the first array, then of the next.
-template <std::size_t arrays>
-struct GatherKernel {
-  SlotList list;
-  std::array<const double*, arrays> by_slot;
-  double* numbers;
-
-  FCCDA_HD void operator()(std::size_t place) const {
-    const std::size_t slot = list.slots[place];
-    for (std::size_t c = 0; c < arrays; ++c) numbers[c * list.count + place] = by_slot[c][slot];
-  }
-};
-
-/// The reverse, for the components of a vector.
-struct ScatterKernel {
-  SlotList list;
-  const double* numbers;
-  std::array<double*, 3> vectors;
-
-  FCCDA_HD void operator()(std::size_t place) const {
-    const std::size_t slot = list.slots[place];
-    for (std::size_t c = 0; c < 3; ++c) vectors[c][slot] = numbers[c * list.count + place];
-  }
+  FCCDA_HD std::size_t places() const { return count; }
+  FCCDA_HD std::size_t slot(std::size_t place) const { return slots[place]; }
 };
 
 /// Eights in a list, each once. Their slots have places, eight after eight.
@@ -51,10 +29,10 @@ struct EightList {
   FCCDA_HD std::size_t slot(std::size_t place) const { return std::size_t{eights[place / fccda::byte_lanes]} * fccda::byte_lanes + place % fccda::byte_lanes; }
 };
 
-/// As GatherKernel, of the slots of listed eights.
-template <std::size_t arrays>
-struct GatherEightsKernel {
-  EightList list;
+/// From arrays by slot to numbers by place in the list: all of the first array, then of the next.
+template <class List, std::size_t arrays>
+struct GatherKernel {
+  List list;
   std::array<const double*, arrays> by_slot;
   double* numbers;
 
@@ -65,9 +43,9 @@ struct GatherEightsKernel {
 };
 
 /// The reverse.
-template <std::size_t arrays>
-struct ScatterEightsKernel {
-  EightList list;
+template <class List, std::size_t arrays>
+struct ScatterKernel {
+  List list;
   const double* numbers;
   std::array<double*, arrays> by_slot;
 
@@ -77,6 +55,7 @@ struct ScatterEightsKernel {
   }
 };
 
-using EightsKernels = std::variant<GatherEightsKernel<3>, GatherEightsKernel<6>, ScatterEightsKernel<1>, ScatterEightsKernel<14>>;
+using ListKernels = std::variant<GatherKernel<SlotList, 2>, GatherKernel<SlotList, 3>, ScatterKernel<SlotList, 3>, GatherKernel<EightList, 3>,
+                                 GatherKernel<EightList, 6>, ScatterKernel<EightList, 1>, ScatterKernel<EightList, 14>>;
 
 }  // namespace perimpact::device

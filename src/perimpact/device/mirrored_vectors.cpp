@@ -76,7 +76,7 @@ SlotList MirroredVectors::upload_list(std::span<const std::uint32_t> slots) {
 void MirroredVectors::gather(std::span<const std::uint32_t> slots) {
   const SlotList list = upload_list(slots);
   for (std::size_t a = 0; a < arrays_.size(); ++a)
-    device_->launch(GatherKernel<3>{list, mirrors_->at(std::as_const(*arrays_[a]).pointers()), numbers_.data() + a * 3 * slots.size()}, slots.size());
+    device_->launch(GatherKernel<SlotList, 3>{list, mirrors_->at(std::as_const(*arrays_[a]).pointers()), numbers_.data() + a * 3 * slots.size()}, slots.size());
   device_->download(on_the_way_.data(), numbers_.data(), on_the_way_.size() * sizeof(double));
   const double* from = on_the_way_.data();
   for (VectorArray* array : arrays_)
@@ -92,7 +92,7 @@ void MirroredVectors::scatter(std::span<const std::uint32_t> slots) {
       for (const std::uint32_t slot : slots) *to++ = component[slot];
   device_->upload(numbers_.data(), on_the_way_.data(), on_the_way_.size() * sizeof(double));
   for (std::size_t a = 0; a < arrays_.size(); ++a)
-    device_->launch(ScatterKernel{list, numbers_.data() + a * 3 * slots.size(), mirrors_->at(arrays_[a]->writable_pointers())}, slots.size());
+    device_->launch(ScatterKernel<SlotList, 3>{list, numbers_.data() + a * 3 * slots.size(), mirrors_->at(arrays_[a]->writable_pointers())}, slots.size());
 }
 
 }  // namespace perimpact::device

@@ -141,7 +141,7 @@ struct HotBitsKernel {
 struct LostWorkKernel {
   EightList list;
   ParticlesView particles;
-  const double* before;              // [N/m³] as GatherEightsKernel<3> writes it
+  const double* before;              // [N/m³] as GatherKernel<EightList, 3> writes it
   std::array<const double*, 3> now;  // [N/m³] by slot
   double dt;                         // [s]
   double* lost;                      // [J]
