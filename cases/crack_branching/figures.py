@@ -14,7 +14,7 @@ import matplotlib.pyplot as plt  # noqa: E402
 from measure import frames, measure  # noqa: E402
 
 CASE = Path(__file__).resolve().parent
-sys.path.insert(0, str(CASE.parents[1] / "scripts/pictures"))
+sys.path.insert(0, str(CASE.parents[1] / "scripts/results"))
 from damage_map import draw  # noqa: E402
 
 INSTANTS = 15e-6, 25e-6, 35e-6, 50e-6  # [s] before branching, twice during propagation, and after the crack has left the plate

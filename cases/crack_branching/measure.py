@@ -21,7 +21,7 @@ from pathlib import Path
 import numpy as np
 
 CASE = Path(__file__).resolve().parent
-sys.path.insert(0, str(CASE.parents[1] / "scripts/pictures"))
+sys.path.insert(0, str(CASE.parents[1] / "scripts/results"))
 from vtp_reader import pictures  # noqa: E402
 
 DAMAGED = 0.35

@@ -13,7 +13,8 @@ from pathlib import Path
 import numpy as np
 from theory import Elements, Strip
 
-sys.path.insert(0, str(Path(__file__).resolve().parents[2] / "scripts/pictures"))
+sys.path.insert(0, str(Path(__file__).resolve().parents[2] / "scripts/results"))
+from csv_reader import history  # noqa: E402
 from vtp_reader import read_vtp, series  # noqa: E402
 
 CUT = 0.3  # damage of a particle at a crack: a plane through the lattice cuts 0.4 of the bonds of adjacent particles
@@ -52,8 +53,7 @@ class Run:
         return Elements(self.strip, self.length)
 
     def history(self):
-        first, *rows = (self.folder / "history.csv").read_text().splitlines()
-        return dict(zip(first.split(","), np.array([[float(value) for value in row.split(",")] for row in rows]).T))
+        return history(self.folder)
 
     def mean(self, values):
         """Of the particles of each section."""

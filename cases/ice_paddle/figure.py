@@ -5,7 +5,6 @@
     cases/ice_paddle/figure.py results/ice_paddle      writes figures/ice_paddle.png beside this script
 """
 
-import csv
 import re
 import sys
 from pathlib import Path
@@ -14,11 +13,11 @@ import matplotlib
 
 matplotlib.use("Agg")
 import matplotlib.pyplot as plt  # noqa: E402
-import numpy as np  # noqa: E402
 from matplotlib.colors import LinearSegmentedColormap  # noqa: E402
 
 CASE = Path(__file__).resolve().parent
-sys.path.insert(0, str(CASE.parents[1] / "scripts/pictures"))
+sys.path.insert(0, str(CASE.parents[1] / "scripts/results"))
+from csv_reader import history  # noqa: E402
 from render import Scene  # noqa: E402
 from vtp_reader import picture_at  # noqa: E402
 
@@ -36,9 +35,7 @@ def picture(ice, paddle, feeder, fold=3):
 
 def main():
     folder = Path(sys.argv[1])
-    with open(folder / "history.csv", newline="") as file:
-        names, *rows = csv.reader(file)
-    column = dict(zip(names, np.array(rows, float).T))
+    column = history(folder)
     milliseconds = 1e3 * column["time [s]"]
 
     figure = plt.figure(figsize=(11, 6.4), layout="constrained")

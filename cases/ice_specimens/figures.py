@@ -16,7 +16,7 @@ from measure import (  # noqa: E402
     DROP_RADIUS, EDGES, STRENGTH, TENSION, ball, bending, cap, centre_pressure, compression, drop, edge, indentation, iso_global, local_design, nested, punch, splitting, tension)  # fmt: skip
 
 CASE = Path(__file__).resolve().parent
-sys.path.insert(0, str(CASE.parents[1] / "scripts/pictures"))
+sys.path.insert(0, str(CASE.parents[1] / "scripts/results"))
 from vtp_reader import pictures  # noqa: E402
 
 HILL = (1 + np.pi / 2) * 2 / np.sqrt(3)

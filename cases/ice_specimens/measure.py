@@ -25,7 +25,7 @@ from pathlib import Path
 
 import numpy as np
 
-sys.path.insert(0, str(Path(__file__).resolve().parent / "../../scripts/pictures"))
+sys.path.insert(0, str(Path(__file__).resolve().parent / "../../scripts/results"))
 from vtp_reader import picture_at  # noqa: E402
 
 STRENGTH = 2.3e6  # [Pa] of all decks but ball and drop

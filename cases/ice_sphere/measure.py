@@ -17,12 +17,14 @@ over Hertz    peak and duration over those of Hertz contact of the same ice with
               Mechanics, 1985, section 11.4). m is the mass of the particles.
 """
 
-import csv
 import json
 import sys
 from pathlib import Path
 
 import numpy as np
+
+sys.path.insert(0, str(Path(__file__).resolve().parents[2] / "scripts/results"))
+from csv_reader import history  # noqa: E402
 
 YOUNG, POISSON, RADIUS = 1.8e9, 0.25, 0.5  # [Pa] [-] [m]
 WINDOW = 1e-3  # [s]
@@ -38,9 +40,7 @@ def hertz(mass, speed):
 def plate_force(folder):
     """Ends of the rows [s], their lengths [s], mean normal force on the plate in each [N], mass [kg] and speed [m/s] of the ice at t = 0, run.json, and
     the columns of history.csv."""
-    with open(Path(folder) / "history.csv", newline="") as file:
-        names, *rows = csv.reader(file)
-    column = dict(zip(names, np.array(rows, float).T))
+    column = history(folder)
     run = json.loads((Path(folder) / "run.json").read_text())
     velocity = np.array(run["setup"]["bodies"]["ice"]["velocity"])
     speed = np.linalg.norm(velocity)

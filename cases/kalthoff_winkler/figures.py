@@ -18,7 +18,7 @@ import numpy as np  # noqa: E402
 from measure import FAR, LEFT, RIGHT, TIP, angle, crack, frames, length  # noqa: E402
 
 CASE = Path(__file__).resolve().parent
-sys.path.insert(0, str(CASE.parents[1] / "scripts/pictures"))
+sys.path.insert(0, str(CASE.parents[1] / "scripts/results"))
 from damage_map import draw  # noqa: E402
 
 INSTANTS = 27e-6, 36e-6, 54e-6, 90e-6  # [s]

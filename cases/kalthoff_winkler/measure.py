@@ -17,14 +17,14 @@ speed     Of the crack tip, a straight line through the frames in which it is 10
 length    Straight from the notch tip to the crack tip, at the end.
 """
 
-import csv
 import sys
 from pathlib import Path
 
 import numpy as np
 
 CASE = Path(__file__).resolve().parent
-sys.path.insert(0, str(CASE.parents[1] / "scripts/pictures"))
+sys.path.insert(0, str(CASE.parents[1] / "scripts/results"))
+from csv_reader import history  # noqa: E402
 from vtp_reader import pictures  # noqa: E402
 
 DAMAGED = 0.35
@@ -85,10 +85,8 @@ def of_both(values):
 
 def measure(folder):
     """Name with unit, and value (None: it did not occur)."""
-    with open(folder / "history.csv", newline="") as file:
-        names, *rows = csv.reader(file)
-    history = dict(zip(names, np.array(rows, float).T))
-    clock, broken = history["time [s]"], history["plate.broken_bonds [-]"]
+    rows = history(folder)
+    clock, broken = rows["time [s]"], rows["plate.broken_bonds [-]"]
 
     times, cracks = [], []
     for time, points, damage in frames(folder):

@@ -18,7 +18,7 @@ import matplotlib.pyplot as plt
 import numpy as np
 from hero import draw_hero
 from matplotlib.collections import PolyCollection
-from results import Results, middle_layer, read_table
+from results import Results, middle_layer, read_columns
 
 HERE = Path(__file__).parent
 END = 200e-6  # [s]
@@ -160,7 +160,7 @@ def history_curve(name, ylabel, of_column, column):
         def points(table):
             return 1e6 * table["time [s]"], of_column(table[column])
 
-        reference = points(read_table(HERE / "reference_fem.csv"))
+        reference = points(read_columns(HERE / "reference_fem.csv"))
         curve(path, runs, "time [µs]", ylabel, lambda run: points(run.history), reference, 10)
 
     draw.__doc__ = name
@@ -172,7 +172,7 @@ def line_curve(name, line, coordinate, every, share=None):
         def points(table):
             return 1e3 * table[f"position_{coordinate} [m]"], 1e3 * table["displacement_y [m]"]
 
-        reference = points(read_table(HERE / f"reference_fem_line_{coordinate}.csv"))
+        reference = points(read_columns(HERE / f"reference_fem_line_{coordinate}.csv"))
         curve(path, runs, f"{coordinate} [mm]", "$u_y$ at 200 µs [mm]", lambda run: points(run.line(line, END)), reference, every, share)
 
     draw.__doc__ = name

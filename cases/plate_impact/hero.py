@@ -7,7 +7,7 @@ import matplotlib.pyplot as plt
 import numpy as np
 from matplotlib.colors import LinearSegmentedColormap, Normalize
 
-sys.path.insert(0, str(Path(__file__).resolve().parents[2] / "scripts/pictures"))
+sys.path.insert(0, str(Path(__file__).resolve().parents[2] / "scripts/results"))
 from render import Scene  # noqa: E402
 
 INSTANTS = 10e-6, 20e-6, 30e-6, 60e-6  # [s]: the wave spreads, reaches the far edge, is reflected, and the plate begins to fly off

@@ -1,6 +1,5 @@
 """Reads a results folder with numpy alone."""
 
-import csv
 import re
 import sys
 from functools import cached_property
@@ -8,15 +7,9 @@ from pathlib import Path
 
 import numpy as np
 
-sys.path.insert(0, str(Path(__file__).resolve().parents[2] / "scripts/pictures"))
+sys.path.insert(0, str(Path(__file__).resolve().parents[2] / "scripts/results"))
+from csv_reader import history, read_columns  # noqa: E402
 from vtp_reader import picture_at, read_vtp  # noqa: E402
-
-
-def read_table(path):
-    """Columns of a CSV by their names in the header."""
-    with open(path, newline="") as file:
-        names, *rows = csv.reader(file)
-    return dict(zip(names, np.array(rows, dtype=float).reshape(-1, len(names)).T))
 
 
 class Results:
@@ -31,14 +24,14 @@ class Results:
 
     @cached_property
     def history(self):
-        return read_table(self.folder / "history.csv")
+        return history(self.folder)
 
     def line(self, name, time):
         """The profile written nearest to that time [s]."""
         files = {float(file.stem.rsplit("_t", 1)[1]): file for file in (self.folder / "lines").glob(f"{name}_t*.csv")}
         if not files:
             raise FileNotFoundError(f"{self.folder}/lines/{name}_t*.csv: no such profile")
-        return read_table(files[min(files, key=lambda t: abs(t - time))])
+        return read_columns(files[min(files, key=lambda t: abs(t - time))])
 
     def frame(self, name, time):
         """The frame nearest to that time [s]."""

@@ -13,7 +13,7 @@ import sys
 from pathlib import Path
 
 import numpy as np
-from results import read_table
+from results import read_columns
 
 HERE = Path(__file__).parent
 RADIUS = 25e-3  # [m] of the cylinder
@@ -140,7 +140,7 @@ def write(text, name, lines):
 
 def main():
     results = Path(sys.argv[1] if len(sys.argv) > 1 else "results/plate_impact")
-    histories = {name: read_table(results / name / "history.csv") for name in VARIANTS}
+    histories = {name: read_columns(results / name / "history.csv") for name in VARIANTS}
     page = HERE / "README.md"
     text = page.read_text()
     text = write(text, "variants", main_table(histories, read_expected()))

@@ -19,7 +19,8 @@ matplotlib.use("Agg")
 import matplotlib.pyplot as plt  # noqa: E402
 import numpy as np  # noqa: E402
 from matplotlib.colors import LinearSegmentedColormap, to_rgb  # noqa: E402
-from measure import BLADES, CASE, WINDOW, history, mean_over, pictures, report  # noqa: E402
+from measure import BLADES, CASE, WINDOW, mean_over, pictures, report  # noqa: E402  which makes scripts/results importable
+from csv_reader import history  # noqa: E402
 from render import Scene  # noqa: E402
 
 SAND, LINE, BOUNDS = np.array([0.84, 0.74, 0.52]), (0.45, 0.38, 0.24), "#2a6fb0"

@@ -22,7 +22,8 @@ from pathlib import Path
 import numpy as np
 
 CASE = Path(__file__).resolve().parent
-sys.path.insert(0, str(CASE.parents[1] / "scripts/pictures"))
+sys.path.insert(0, str(CASE.parents[1] / "scripts/results"))
+from csv_reader import history  # noqa: E402
 from vtp_reader import pictures  # noqa: E402
 
 WINDOW = 1e-3  # [s] of the peaks
@@ -31,13 +32,6 @@ BLADES = 1, 2, 3, 4
 
 def report(folder):
     return json.loads((Path(folder) / "run.json").read_text())
-
-
-def history(folder):
-    """Columns of history.csv by name."""
-    with open(Path(folder) / "history.csv", newline="") as file:
-        names, *rows = csv.reader(file)
-    return dict(zip(names, np.array(rows, float).T))
 
 
 # ---- forces

@@ -14,10 +14,11 @@ import matplotlib
 matplotlib.use("Agg")
 import matplotlib.pyplot as plt  # noqa: E402
 import numpy as np  # noqa: E402
-from measure import history, window_means  # noqa: E402
+from measure import window_means  # noqa: E402
 
 HERE = Path(__file__).resolve().parent
-sys.path.insert(0, str(HERE / "../../scripts/pictures"))
+sys.path.insert(0, str(HERE / "../../scripts/results"))
+from csv_reader import history  # noqa: E402
 from ship_in_ice import corners_of, draw_damage, draw_scenes  # noqa: E402
 from vtp_reader import read_vtp, series  # noqa: E402
 

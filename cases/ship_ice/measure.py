@@ -21,17 +21,12 @@ from pathlib import Path
 
 import numpy as np
 
-sys.path.insert(0, str(Path(__file__).resolve().parent / "../../scripts/pictures"))
+sys.path.insert(0, str(Path(__file__).resolve().parent / "../../scripts/results"))
+from csv_reader import history  # noqa: E402
 from vtp_reader import read_vtp, series  # noqa: E402
 
 SETTLED = 4.6  # [m] of travel after the first contact
 CRACKED = 0.35  # [-] damage; adjacent to a plane crack it is 0.4 to 0.5
-
-
-def history(folder):
-    with open(Path(folder) / "history.csv", newline="") as lines:
-        names, *rows = csv.reader(lines)
-    return dict(zip(names, np.array(rows, float).T))
 
 
 def window_means(time, force, width):

@@ -12,10 +12,10 @@ import matplotlib
 matplotlib.use("Agg")
 import matplotlib.pyplot as plt  # noqa: E402
 import numpy as np  # noqa: E402
-from measure import history  # noqa: E402
 
 HERE = Path(__file__).resolve().parent
-sys.path.insert(0, str(HERE / "../../scripts/pictures"))
+sys.path.insert(0, str(HERE / "../../scripts/results"))
+from csv_reader import history  # noqa: E402
 from ship_in_ice import COLOURS, spacing_of  # noqa: E402
 from vtp_reader import picture_at  # noqa: E402
 

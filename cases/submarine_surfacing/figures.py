@@ -16,10 +16,11 @@ matplotlib.use("Agg")
 import matplotlib.pyplot as plt  # noqa: E402
 import numpy as np  # noqa: E402
 from matplotlib.colors import LinearSegmentedColormap, Normalize  # noqa: E402
-from measure import GRAVITY, history, ice_on  # noqa: E402
+from measure import GRAVITY, ice_on  # noqa: E402
 
 CASE = Path(__file__).resolve().parent
-sys.path.insert(0, str(CASE.parents[1] / "scripts/pictures"))
+sys.path.insert(0, str(CASE.parents[1] / "scripts/results"))
+from csv_reader import history  # noqa: E402
 from render import Scene  # noqa: E402
 from vtp_reader import picture_at  # noqa: E402
 

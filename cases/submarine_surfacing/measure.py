@@ -7,23 +7,19 @@ fragments       connected components of intact bonds at the end
 energy          largest energy balance error, also over the energy exchanged (docs/theory/energy.md); work of the submarine on the ice
 """
 
-import csv
 import json
 import sys
 from pathlib import Path
 
 import numpy as np
 
+sys.path.insert(0, str(Path(__file__).resolve().parents[2] / "scripts/results"))
+from csv_reader import history  # noqa: E402
+
 LAST = 0.3  # [s] at the end, over which the balance is averaged
 MEAN = 0.1  # [s] averaging time of forces: contacts of single particles are impulses
 MEETS = 4.0  # [m] rise until which the hull meets the sheet: its first peak is before
 GRAVITY = 9.81
-
-
-def history(folder):
-    with open(folder / "history.csv", newline="") as file:
-        names, *rows = csv.reader(file)
-    return dict(zip(names, np.array(rows, float).T))
 
 
 def ice_on(columns, part=""):

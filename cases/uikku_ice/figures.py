@@ -12,9 +12,10 @@ import matplotlib
 matplotlib.use("Agg")
 import matplotlib.pyplot as plt  # noqa: E402
 from decks import HERE, approach, sample, tests  # noqa: E402  which makes ../ship_ice importable
-from measure import history, window_means  # noqa: E402
+from measure import window_means  # noqa: E402
 
-sys.path.insert(0, str(HERE / "../../scripts/pictures"))
+sys.path.insert(0, str(HERE / "../../scripts/results"))
+from csv_reader import history  # noqa: E402
 from ship_in_ice import draw_damage, draw_scenes  # noqa: E402
 from vtp_reader import series  # noqa: E402
 

@@ -17,7 +17,7 @@ import matplotlib.pyplot as plt
 import numpy as np
 
 HERE = Path(__file__).resolve().parent
-sys.path.insert(0, str(HERE.parents[1] / "scripts/pictures"))
+sys.path.insert(0, str(HERE.parents[1] / "scripts/results"))
 from vtp_reader import read_vtp, series  # noqa: E402
 
 DECK = """\

@@ -16,7 +16,7 @@ import matplotlib.pyplot as plt
 import numpy as np
 
 HERE = Path(__file__).resolve().parent
-sys.path.insert(0, str(HERE.parents[1] / "scripts/pictures"))
+sys.path.insert(0, str(HERE.parents[1] / "scripts/results"))
 from render import Scene  # noqa: E402
 from vtp_reader import read_vtp  # noqa: E402
 

@@ -16,7 +16,7 @@ import matplotlib.pyplot as plt
 import numpy as np
 
 HERE = Path(__file__).resolve().parent
-sys.path.insert(0, str(HERE.parents[1] / "scripts/pictures"))
+sys.path.insert(0, str(HERE.parents[1] / "scripts/results"))
 from render import Scene  # noqa: E402
 
 HULL = "hull --length 155 --breadth 23 --draft 9 --stem-angle 24deg --waterline-angle 22deg --edge-length 5 --bow-edge-length 1.5".split()

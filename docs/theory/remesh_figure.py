@@ -17,7 +17,7 @@ import matplotlib.pyplot as plt  # noqa: E402
 import numpy as np  # noqa: E402
 
 HERE = Path(__file__).resolve().parent
-sys.path.insert(0, str(HERE.parents[1] / "scripts/pictures"))
+sys.path.insert(0, str(HERE.parents[1] / "scripts/results"))
 from render import Scene  # noqa: E402
 from vtp_reader import read_vtp  # noqa: E402
 

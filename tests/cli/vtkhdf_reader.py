@@ -8,7 +8,7 @@ from pathlib import Path
 
 import numpy as np
 
-sys.path.insert(0, str(Path(__file__).parents[2] / "scripts/pictures"))
+sys.path.insert(0, str(Path(__file__).parents[2] / "scripts/results"))
 from vtp_reader import Picture  # noqa: E402
 
 KINDS = "Vertices", "Lines", "Polygons", "Strips"

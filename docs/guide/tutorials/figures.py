@@ -14,22 +14,18 @@ import matplotlib.pyplot as plt
 import numpy as np
 
 HERE = Path(__file__).resolve().parent
-sys.path.insert(0, str(HERE.parents[2] / "scripts/pictures"))
+sys.path.insert(0, str(HERE.parents[2] / "scripts/results"))
+from csv_reader import history  # noqa: E402
 from vtp_reader import read_vtp  # noqa: E402
 
 LINE = "#d1495b"
 
 
-def column(results, name):
-    with open(results / "history.csv") as file:
-        names = file.readline().rstrip("\n").split(",")
-    return np.loadtxt(results / "history.csv", delimiter=",", skiprows=1, usecols=names.index(name))
-
-
 def draw_curve(axes, results, name, per, unit, label):
     """Rows are means since the previous row, so they are drawn as steps."""
-    time = column(results, "time [s]")
-    axes.stairs(column(results, name)[1:] / unit, time / per[0], color=LINE, baseline=None, lw=1.4)
+    columns = history(results)
+    time = columns["time [s]"]
+    axes.stairs(columns[name][1:] / unit, time / per[0], color=LINE, baseline=None, lw=1.4)
     axes.set(xlabel=f"time [{per[1]}]", ylabel=label, xlim=(0, time[-1] / per[0]))
     axes.spines[["top", "right"]].set_visible(False)
 

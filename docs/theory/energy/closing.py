@@ -3,23 +3,19 @@
 
 Prints for each run the works and dissipation of its last row, the largest energy balance error of all rows, and its ratio to the energy
 exchanged: the sum of the largest magnitudes of contact's work on impactors and of the works of boundary conditions."""
-import csv
 import sys
+from pathlib import Path
 
-
-def columns(folder):
-    with open(f"{folder}/history.csv") as file:
-        rows = list(csv.DictReader(file))
-    return {name: [float(row[name]) for row in rows] for name in rows[0]}
-
+sys.path.insert(0, str(Path(__file__).resolve().parents[3] / "scripts/results"))
+from csv_reader import history  # noqa: E402
 
 for folder in sys.argv[1:]:
-    history = columns(folder)
-    largest = {name: max(map(abs, values)) for name, values in history.items()}
-    works = [name for name in history if name.endswith((".contact_work [J]", ".work [J]"))]
-    shown = works + [name for name in history if name.endswith(("fracture_energy [J]", "_dissipation [J]")) or name == "total.energy [J]"]
+    columns = history(folder)
+    largest = {name: max(map(abs, values)) for name, values in columns.items()}
+    works = [name for name in columns if name.endswith((".contact_work [J]", ".work [J]"))]
+    shown = works + [name for name in columns if name.endswith(("fracture_energy [J]", "_dissipation [J]")) or name == "total.energy [J]"]
     print(folder)
     for name in shown:
-        print(f"  {name:42} {history[name][-1]:12.5g}")
+        print(f"  {name:42} {columns[name][-1]:12.5g}")
     error, work = largest["total.energy_balance_error [J]"], sum(largest[name] for name in works)
     print(f"  {'largest energy balance error [J]':42} {error:12.3g}   {error / work:.1e} of {work:.5g} J")

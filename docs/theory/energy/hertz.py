@@ -8,13 +8,15 @@ rigid, with the reduced mass m and the speed v of approach have F = 5/4 m v²/d,
 E* = E/(1 - ν²). The force is the mean of a row along the line of the blow, the duration that for which it is more than 1 % of the largest.
 """
 
-import csv
 import json
 import subprocess
 import sys
 from pathlib import Path
 
 import numpy as np
+
+sys.path.insert(0, str(Path(__file__).resolve().parents[3] / "scripts/results"))
+from csv_reader import history  # noqa: E402
 
 DECK = Path(__file__).with_name("hertz.yaml")
 YOUNG, POISSON, RADIUS = 1.8e9, 0.25, 0.5 * 2.0 / (0.5 + 2.0)  # [Pa] [-] [m]
@@ -25,9 +27,7 @@ MATERIAL = "youngs_modulus: 1.8 GPa, poissons_ratio: 0.25, density: 900"
 
 
 def measure(folder):
-    with open(folder / "history.csv", newline="") as file:
-        names, *rows = csv.reader(file)
-    column = dict(zip(names, np.array(rows, float).T))
+    column = history(folder)
     run = json.loads((folder / "run.json").read_text())
     setup = run["setup"]["impactors"]["rigid"]
     soft, hard, speed = run["bodies"]["elastic"]["mass [kg]"], setup["mass"], np.linalg.norm(setup["velocity"])

@@ -17,7 +17,7 @@ from pathlib import Path
 
 import numpy as np
 
-sys.path.insert(0, str(Path(__file__).resolve().parents[3] / "scripts/pictures"))
+sys.path.insert(0, str(Path(__file__).resolve().parents[3] / "scripts/results"))
 from vtp_reader import read_vtp  # noqa: E402
 
 YOUNG, DENSITY = 200e9, 8000.0  # [Pa] [kg/m3]

@@ -6,7 +6,7 @@ from pathlib import Path
 
 ROOT = Path(__file__).resolve().parents[3]
 CASE = ROOT / "cases/ice_specimens"
-sys.path[:0] = [str(ROOT / "tests/cli"), str(ROOT / "scripts/pictures"), str(CASE)]
+sys.path[:0] = [str(ROOT / "tests/cli"), str(ROOT / "scripts/results"), str(CASE)]
 from claims import claim, main  # noqa: E402
 from measure import EDGES, measure  # noqa: E402
 from vtp_reader import pictures  # noqa: E402

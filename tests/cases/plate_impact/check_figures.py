@@ -7,7 +7,7 @@ from pathlib import Path
 
 ROOT = Path(__file__).parents[3]
 CASE = ROOT / "cases/plate_impact"
-sys.path[:0] = [str(CASE), str(ROOT / "scripts/pictures"), str(ROOT / "tests/fixtures")]
+sys.path[:0] = [str(CASE), str(ROOT / "scripts/results"), str(ROOT / "tests/fixtures")]
 try:
     import matplotlib  # noqa: F401  only whether it is there
     import numpy as np

@@ -5,7 +5,7 @@ import sys
 from pathlib import Path
 
 ROOT = Path(__file__).resolve().parents[3]
-sys.path[:0] = [str(ROOT / "tests/cli"), str(ROOT / "scripts/pictures")]
+sys.path[:0] = [str(ROOT / "tests/cli"), str(ROOT / "scripts/results")]
 from claims import claim, main  # noqa: E402
 
 try:

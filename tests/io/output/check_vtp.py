@@ -1,7 +1,7 @@
 """Reads the files of vtp_examples.cpp and compares every value with the formulas it was written from.
 
     check_vtp.py PROGRAM vtk    with VTK's own reader (exit code 77, skipped, where VTK is not installed)
-    check_vtp.py PROGRAM ours   with scripts/pictures/vtp_reader.py
+    check_vtp.py PROGRAM ours   with scripts/results/vtp_reader.py
 """
 
 import subprocess
@@ -10,7 +10,7 @@ import tempfile
 import xml.etree.ElementTree as xml
 from pathlib import Path
 
-sys.path.insert(0, str(Path(__file__).parents[3] / "scripts/pictures"))
+sys.path.insert(0, str(Path(__file__).parents[3] / "scripts/results"))
 try:
     import numpy as np
     from vtp_reader import Picture, read_vtp

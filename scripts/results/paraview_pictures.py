@@ -1,6 +1,6 @@
 """Pictures of any results folder with ParaView, one for each frame or for some times:
 
-    xvfb-run -a -s "-noreset -screen 0 1280x1024x24" pvpython scripts/pictures/paraview_pictures.py RESULTS [--out FOLDER] [--times 20e-6 60e-6] [--colour damage] [--from 0.4 -1 0.8]
+    xvfb-run -a -s "-noreset -screen 0 1280x1024x24" pvpython scripts/results/paraview_pictures.py RESULTS [--out FOLDER] [--times 20e-6 60e-6] [--colour damage] [--from 0.4 -1 0.8]
 
 Writes FOLDER/picture_00007.png and so on (default: RESULTS/pictures), numbered like the frames. Bodies are balls of their particles, coloured by damage
 where bonds may break, else by speed; impactors are their panels. `--from` is where the eye is, seen from the middle of all bodies; z is up. Debian: paraview, python3-paraview, xvfb, xauth. Without xvfb-run ParaView needs a screen;
@@ -15,7 +15,7 @@ from pathlib import Path
 try:
     from paraview import simple
 except ImportError:
-    sys.exit("error: this needs ParaView's own Python: xvfb-run -a -s -noreset pvpython scripts/pictures/paraview_pictures.py RESULTS (Debian: paraview, python3-paraview, xvfb, xauth)")
+    sys.exit("error: this needs ParaView's own Python: xvfb-run -a -s -noreset pvpython scripts/results/paraview_pictures.py RESULTS (Debian: paraview, python3-paraview, xvfb, xauth)")
 
 COLOURS = {  # array: title of the bar, ParaView's preset
     "damage": ("damage [-]", "Inferno (matplotlib)"),
