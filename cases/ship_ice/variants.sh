@@ -48,10 +48,3 @@ variant cut_8_layers "$ductile" "$(cut 2)" "${eight_layers[@]}"
 deck="$case/paper.yaml"
 variant paper_crushed "$sheet.material.plasticity={compressive_strength: 2.3 MPa, failure_strain: 0.003, failure_pressure: 0.2, failure_width: 3, friction_angle: 30 deg}" \
   "$sheet.failure={no_fail: [far_end, port, starboard]}"
-
-# The same ice in a window of 75 m that follows the ship, to the end of its 115 m
-sides() { echo "{shape: {box: {size: [73.2 m, 1.8 m, 4 m]}}, position: [0.9 m, $1 m, 0]}"; }
-variant paper_window "$sheet.material.plasticity={compressive_strength: 2.3 MPa, failure_strain: 0.003, failure_pressure: 0.2, failure_width: 3, friction_angle: 30 deg}" \
-  "$sheet.failure={no_fail: [far_end, port, starboard]}" "$sheet.shape.box.size=[75 m, 36.25 m, 1.875 m]" "$sheet.position=[-37.5 m, 0, -0.7088 m]" \
-  "$sheet.particle_sets.far_end.position=[-36.6 m, 0, 0]" "$sheet.particle_sets.port=$(sides -17.225)" "$sheet.particle_sets.starboard=$(sides 17.225)" \
-  "$sheet.moving_window={follow: ship, start_after: 35 m}"

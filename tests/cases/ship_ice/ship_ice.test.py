@@ -1,12 +1,13 @@
 """Claims about the icebreaker's decks. Python with numpy; the runs are on a coarse, short sheet."""
 
 import math
+import re
 import sys
 from pathlib import Path
 
 ROOT = Path(__file__).resolve().parents[3]
 CASE = ROOT / "cases/ship_ice"
-sys.path.insert(0, str(ROOT / "tests/cli"))
+sys.path[:0] = [str(ROOT / "tests/cli"), str(CASE), str(ROOT / "cases/uikku_ice")]
 from claims import claim, main  # noqa: E402
 
 
@@ -42,8 +43,29 @@ def _(t):
 
 @claim("ship: no deck of the case is warned of")
 def _(t):
-    for deck in ("deck.yaml", "paper.yaml", "wide.yaml"):
+    for deck in ("deck.yaml", "paper.yaml", "wide.yaml", "window.yaml"):
         t.expect_no_warning("check", CASE / deck, "--out", "checked")
+
+
+@claim("ship: the sheet that follows the ship has the water, the dry top and the damping at its edges that follow from its plate")
+def _(t):
+    from decks import RIM_DAMPING, deflection_at_breaking
+    from resistance import GRAVITY, ShipInIce
+
+    text = (CASE / "window.yaml").read_text(encoding="utf-8")
+    number = lambda name: float(re.search(rf"{name}: ([\d.]+)", text)[1])  # noqa: E731
+    plate = ShipInIce(thickness=2, strength=0.768e6)
+    t.assertAlmostEqual(number("flexural_strength") / 720, 1, delta=1e-9)  # (1 − ν²) 768 kPa
+    depth = 2 / math.pi * 0.32 * plate.characteristic_length
+    t.assertAlmostEqual(number("entrained_depth"), depth, delta=0.005)
+    freeboard = plate.thickness * (1 - plate.ice / plate.water)
+    t.assertAlmostEqual(number("dry_top"), deflection_at_breaking(plate) - freeboard, delta=0.005)
+    t.assertAlmostEqual(float(re.search(r"far_rim: {shape: {box: {size: \[([\d.]+)", text)[1]), plate.characteristic_length, delta=0.005)
+    # what moves weighs ρ h + ρ_w d and the damping acts on the ice, ρ h, alone
+    ratio = 1 + plate.water * depth / (plate.ice * plate.thickness)
+    heave = math.sqrt(plate.water * GRAVITY / (plate.ice * plate.thickness * ratio))
+    damping, fastest = RIM_DAMPING * heave * ratio, math.sqrt(1.2 * plate.young / plate.ice)
+    t.assertAlmostEqual(number("reflection"), math.exp(-damping * plate.characteristic_length / (3 * fastest)), delta=0.0005)
 
 
 @claim("ship: without friction the bow is pushed up cot 24 deg times as hard as back, and the ice breaks")
@@ -78,7 +100,6 @@ def _(t):
 
 @claim("ship: a load that falls to half of the mean has ended, and one that only swings has not")
 def _(t):
-    sys.path.insert(0, str(CASE))
     import numpy as np
     from measure import times_of_loads
 
@@ -97,7 +118,6 @@ def _(t):
 
 @claim("ship: through-cracks are counted along the way of the ship, not what is cracked on one face or beside it")
 def _(t):
-    sys.path.insert(0, str(CASE))
     import numpy as np
     from measure import through_cracks
 
