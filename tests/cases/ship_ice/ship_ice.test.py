@@ -61,6 +61,11 @@ def _(t):
     freeboard = plate.thickness * (1 - plate.ice / plate.water)
     t.assertAlmostEqual(number("dry_top"), deflection_at_breaking(plate) - freeboard, delta=0.005)
     t.assertAlmostEqual(float(re.search(r"far_rim: {shape: {box: {size: \[([\d.]+)", text)[1]), plate.characteristic_length, delta=0.005)
+    # the full breadth of the bow must be in the ice: its length is p (B/2)/tan α with the fullness p = 2 of a hull that gives none
+    bow = 23 / math.tan(math.radians(22))
+    t.assertGreater(number("start_after"), bow)
+    length = float(re.search(r"size: \[([\d.]+)", text)[1])
+    t.assertGreater(length - number("start_after"), 2 * plate.characteristic_length)
     # what moves weighs ρ h + ρ_w d and the damping acts on the ice, ρ h, alone
     ratio = 1 + plate.water * depth / (plate.ice * plate.thickness)
     heave = math.sqrt(plate.water * GRAVITY / (plate.ice * plate.thickness * ratio))
