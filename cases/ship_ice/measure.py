@@ -4,7 +4,8 @@
 A line for each results folder. Loads are of contact on the part `bow`: the largest row of F_x within the first metres (SETTLED), the response
 to the first impact; mean and largest mean over a second after these metres; F_z/F_x; the number of load peaks, and the time between them. The mean over
 all the travel is that of the whole hull: its work over the length. Then the travel in the ice; broken bonds; through-cracks (below); fragments of at least 1 % of the sheet's mass besides the remaining sheet;
-work of the ship, and the energy balance error over it.
+work of the ship, and the energy balance error over it. Broken bonds are a share of those of all ice that was in a window that moves; cracks and
+fragments are those in the window at the end.
 
 Through-cracks: along lines in the direction of travel, one for each row of particles within the breadth of the ship, the cracked stretches of the sheet
 are counted at the end. A position is cracked where the damage of every layer is above CRACKED. The number is the median over the lines.
@@ -72,6 +73,9 @@ def measure(folder):
     work = -rows["ship.contact_work [J]"][-1]
     loads = times_of_loads(time[time >= first], along[time >= first])
     sheet = read_vtp(series(folder, "sheet")[-1][1])
+    body = report["setup"]["bodies"]["sheet"]
+    moved = abs(rows["sheet.window_travel [m]"][-1]) if "sheet.window_travel [m]" in rows else 0.0
+    met = 1 + moved / body["shape"]["box"]["size"][0]  # ice of the whole track over that of the window
     breadth = report["setup"]["impactors"]["ship"]["surface"]["hull"]["breadth"]
     with open(Path(folder) / "fragments/sheet.csv", newline="") as lines:
         fragments = list(csv.DictReader(lines))[-1]
@@ -79,14 +83,15 @@ def measure(folder):
         "travel": travel,
         "first peak": along[~late].max(),
         "mean of all": work / travel,
-        "mean": along[late].mean(),
-        "largest 1 s": window_means(time[late], along[late], 1.0).max(),
+        "mean": along[late].mean() if late.any() else np.nan,
+        "largest 1 s": window_means(time[late], along[late], 1.0).max() if late.any() and np.ptp(time[late]) > 1 else np.nan,
         "loads": len(loads),
         "period": np.diff(loads).mean() if len(loads) > 1 else np.nan,
         "ratio": up.sum() / along.sum(),
-        "broken": rows["sheet.broken_bonds [-]"][-1] / report["bodies"]["sheet"]["bonds"],
+        "broken": rows["sheet.broken_bonds [-]"][-1] / (met * report["bodies"]["sheet"]["bonds"]),
         "cracks": through_cracks(sheet.points - sheet.point["displacement"], sheet.point["damage"], breadth),
         "large fragments": int(fragments["above_1_percent [-]"]) - 1,
+        "where": " in the window" if moved else "",
         "work": work,
         "closing": np.abs(rows["total.energy_balance_error [J]"]).max() / work,
     }
@@ -102,7 +107,7 @@ def show(folder):
     print(
         f"{Path(folder).name:24s} {m['travel']:5.1f} m  peak {m['first peak'] / 1e6:5.2f} MN  mean {m['mean of all'] / 1e3:5.0f} kN, late {m['mean'] / 1e3:5.0f} kN  1 s {m['largest 1 s'] / 1e3:5.0f} kN"
         f"  loads {loads_of(m)}"
-        f"  F_z/F_x {m['ratio']:.4f}  broken {100 * m['broken']:4.1f} %  cracks {m['cracks']:d}  fragments {m['large fragments']:d}  work {m['work'] / 1e6:.2f} MJ  closing {m['closing']:.0e}"
+        f"  F_z/F_x {m['ratio']:.4f}  broken {100 * m['broken']:4.1f} %  cracks {m['cracks']:d}  fragments {m['large fragments']:d}{m['where']}  work {m['work'] / 1e6:.2f} MJ  closing {m['closing']:.0e}"
     )
 
 

@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
 # Runs and measures all variants in the tables of README.md: cases/ship_ice/variants.sh [RESULTS [PERIMPACT]], as
-# scripts/variants.bash describes. The deck takes a quarter of an hour on a core, six layers four times as long.
+# scripts/variants.bash describes. The deck takes ten minutes on a core, six layers five times as long.
 set -euo pipefail
 source "$(dirname "$0")/../../scripts/variants.bash"
 

@@ -1,8 +1,8 @@
 #!/usr/bin/python3
 """Measured resistance, formulas and runs: compare.py [RESULTS ...]
 
-Prints the table of README.md. RESULTS: folders of runs, each of the deck whose test is in its title; their mean is that of F_x on the ship over the last
-SAMPLE metres of travel, with the standard error of block averages of `perimpact statistics`.
+RESULTS: folders of runs, each of the deck whose test is in its title. They are measured, and their rows in results.csv are replaced: the mean of F_x on the
+ship over the last SAMPLE metres of travel, with the standard error of block averages of `perimpact statistics`. Then the table of README.md is printed.
 """
 
 import csv
@@ -12,34 +12,71 @@ import subprocess
 import sys
 from pathlib import Path
 
-from decks import HERE, sample, ship_in, tests  # which makes ../ship_ice importable
+from decks import HERE, SAMPLE, sample, ship_in, tests  # which makes ../ship_ice importable
 from resistance import iso_19906, lindqvist, riska
 
+sys.path.insert(0, str(HERE / "../../scripts/results"))
+from csv_reader import history  # noqa: E402
+
 PERIMPACT = HERE / "../../build/release/perimpact"
-STATISTICS = "statistics.csv"
+RESULTS = HERE / "results.csv"
 
 
-def run_of(folder):
-    """Number of the test, and a cell of the table: mean and standard error [kN], or how far the run has come."""
+def records(path):
+    with open(path, newline="", encoding="utf-8") as lines:
+        return list(csv.DictReader(lines))
+
+
+def runs():
+    """Rows of results.csv by the number of the test."""
+    return {int(row["test"]): row for row in records(RESULTS)}
+
+
+def measure(folder):
+    """The row of results.csv of a run."""
     report = json.loads((folder / "run.json").read_text(encoding="utf-8"))
     title = report["setup"]["title"]
     if ", free" in title:
         sys.exit(f"{folder} is a run of free.yaml, whose ship has no speed of its own; compare its mean velocity with that of the test.")
     number = int(re.search(r"test (\d+)", title)[1])
-    begin = sample(tests()[number]["speed"])
-    with open(folder / "history.csv", newline="", encoding="utf-8") as lines:
-        end = float(list(csv.DictReader(lines))[-1]["time [s]"])
-    if end <= begin:
-        return number, f"ends at {end:.1f} s"
-    subprocess.run([PERIMPACT, "statistics", folder, "--from", str(begin), "--columns", "ship.force_x"], check=True, stdout=subprocess.DEVNULL)
-    with open(folder / STATISTICS, newline="", encoding="utf-8") as lines:
-        row = next(csv.DictReader(lines))
-    at_least = "at least " if row["standard_error_is_bound"] == "1" else ""
-    return number, f"{float(row['mean']) / 1e3:.0f} ± {at_least}{float(row['standard_error']) / 1e3:.0f}"
+    speed, columns = tests()[number]["speed"], history(folder)
+    begin, last = sample(speed), columns["time [s]"][-1]
+    end = begin + SAMPLE / speed
+    if last < end - 0.01 * SAMPLE / speed:
+        sys.exit(f"{folder} ends at {last:.1f} s, but the sample of test {number} is from {begin:.1f} to {end:.1f} s. Continue it with --resume.")
+    subprocess.run([PERIMPACT, "statistics", folder, "--from", str(begin), "--to", str(end), "--columns", "ship.force_x"], check=True, stdout=subprocess.DEVNULL)
+    (force,) = records(folder / "statistics.csv")
+    return {
+        "test": number, "from [s]": f"{begin:.2f}", "to [s]": f"{min(end, last):.2f}", "mean F_x [N]": force["mean"], "standard error [N]": force["standard_error"],
+        "standard error is a lower bound": force["standard_error_is_bound"], "standard deviation [N]": force["standard_deviation"],
+        "contact work [J]": f"{-columns['ship.contact_work [J]'][-1]:.6g}", "energy balance error [J]": f"{abs(columns['total.energy_balance_error [J]']).max():.4g}",
+    }  # fmt: skip
+
+
+def measured(folders):
+    """results.csv with the rows of these runs in place of those of the same tests."""
+    rows = runs()
+    for folder in folders:
+        row = measure(folder)
+        rows[row["test"]] = row
+    with open(RESULTS, "w", newline="", encoding="utf-8") as lines:
+        writer = csv.DictWriter(lines, next(iter(rows.values())), lineterminator="\n")
+        writer.writeheader()
+        writer.writerows(rows[number] for number in sorted(rows))
+
+
+def cell(row):
+    """Mean and standard error [kN]."""
+    if row is None:
+        return "not run"
+    at_least = "at least " if row["standard error is a lower bound"] == "1" else ""
+    return f"{float(row['mean F_x [N]']) / 1e3:.0f} ± {at_least}{float(row['standard error [N]']) / 1e3:.0f}"
 
 
 def main():
-    runs = dict(run_of(Path(name)) for name in sys.argv[1:])
+    if len(sys.argv) > 1:
+        measured(map(Path, sys.argv[1:]))
+    found = runs()
     print("| test | H [m] | V [m/s] | σ_f [kPa] | σ_c [MPa] | E [MPa] | measured [kN] | run [kN] | Lindqvist | Lindqvist, R_c + R_b | Riska | ISO 19906, breaking |")
     print("|---|---|---|---|---|---|---|---|---|---|---|---|")
     for number, test in tests().items():
@@ -47,7 +84,7 @@ def main():
         parts = lindqvist(ship)
         formulas = parts["total"], parts["crushing"] + parts["bending"], riska(ship)["total"], iso_19906(ship)["breaking"]
         print(f"| {number} | {ship.thickness:g} | {ship.speed:g} | {test['flexural strength']:g} | {test['compressive strength']:g} | {test['elastic modulus']:g}"
-              f" | {test['resistance']:g} | {runs.get(number, 'not run')} | " + " | ".join(f"{force / 1e3:.0f}" for force in formulas) + " |")
+              f" | {test['resistance']:g} | {cell(found.get(number))} | " + " | ".join(f"{force / 1e3:.0f}" for force in formulas) + " |")
 
 
 if __name__ == "__main__":

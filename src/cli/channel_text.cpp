@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <limits>
+#include <span>
 #include <string_view>
 #include <utility>
 
@@ -47,18 +48,20 @@ std::string channel_text(const StatisticsArguments& arguments, std::optional<dou
         fmt::format("--sheet is {}, but it must be above 0 and at most 1: the share of a body's particles above which a fragment belongs to the intact sheet.",
                     wanted.sheet));
 
+  const char along = "xy"[axis], across = "yx"[axis];
+  const std::filesystem::path file = output::ResultsFolder::fragments_in(arguments.folder) / fmt::format("{}_channel_{}.csv", body, along);
+  const std::string listed = (std::filesystem::path("fragments") / file.filename()).string();
+  output::expect_listed(arguments.folder, std::span(&listed, 1));
   const ChannelFrame frame = read_channel_frame(arguments.folder, body, latest);
   const std::vector<ChannelColumn> columns = channel_columns(frame.places, frame.fragments, frame.spacing, axis, wanted.sheet);
   const ChannelWidths widths = widths_of(columns, frame.spacing, low, high);
 
-  const char along = "xy"[axis], across = "yx"[axis];
-  const std::filesystem::path file = output::ResultsFolder::fragments_in(arguments.folder) / fmt::format("{}_channel_{}.csv", body, along);
   std::vector<double> rows;
   for (const ChannelColumn& column : columns) rows.insert(rows.end(), {column.along, column.low, column.high, column.width, column.all_broken});
   const std::vector<std::string> names = {fmt::format("along_{} [m]", along), fmt::format("low_{} [m]", across), fmt::format("high_{} [m]", across),
                                           "width [m]", "all_broken [m]"};
   output::write_csv(file, names, rows);
-  output::list_file(arguments.folder, std::filesystem::path("fragments") / file.filename());
+  output::list_file(arguments.folder, listed);
 
   std::string text = fmt::format("channel along {} in body {} at {:.6g} s ({})\n", along, body, frame.time, frame.name);
   if (widths.length == 0) {

@@ -89,6 +89,10 @@ Window window_of(const Table& table, std::optional<double> from, std::optional<d
   window.count = intervals.size();
   std::nth_element(intervals.begin(), intervals.begin() + static_cast<std::ptrdiff_t>(intervals.size() / 2), intervals.end());
   window.interval = intervals[intervals.size() / 2];
+  if (!(window.to - window.from > 1e-6 * window.interval))
+    throw InputError(
+        fmt::format("--from and --to are {:.3g} s apart, less than a millionth of the interval between rows of {}, which is {:.4g} s; choose a longer time.",
+                    window.to - window.from, table.file.string(), window.interval));
   return window;
 }
 
@@ -213,6 +217,7 @@ void print_spectrum(const Window& window, const Spectrum& spectrum) {
 
 void print_columns(const StatisticsArguments& arguments, const Table& table, const std::vector<std::size_t>& columns, const Window& window) {
   const std::size_t segment = segment_of(window, quantity_of_option("--segment", arguments.segment, "s"));
+  output::expect_listed(arguments.folder, std::vector<std::string>{"statistics.csv", "windows.csv", "spectrum.csv"});
   std::vector<Summary> summaries;
   for (const std::size_t column : columns) summaries.push_back(summary_of(table, column, window, arguments.windows, segment));
 
@@ -230,7 +235,7 @@ void print_columns(const StatisticsArguments& arguments, const Table& table, con
     print_spectrum(window, *summaries.front().spectrum);
     write_spectrum(arguments.folder / written.emplace_back("spectrum.csv"), summaries);
   } else {
-    fmt::print("\nspectrum: none, since {} rows are fewer than the required {}\n", intervals_in(window), fewest_for_spectrum);
+    fmt::print("\nspectrum: none, since {} intervals are fewer than the required {}\n", intervals_in(window), fewest_for_spectrum);
   }
   for (const std::string& file : written) output::list_file(arguments.folder, file);
   fmt::print("Written to {}: {}\n", arguments.folder.string(), fmt::join(written, ", "));

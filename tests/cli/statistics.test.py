@@ -173,7 +173,7 @@ def _(t):
     t.assertEqual(list(results_table(t.folder / "r/statistics.csv")), loads)
     out = t.expect_success("statistics", "r", "--columns", "plate.grip.force,total.energy").out
     t.assertEqual(list(results_table(t.folder / "r/statistics.csv")), [f"plate.grip.force_{axis}" for axis in "xyz"] + ["total.energy"])
-    t.assertIn("spectrum: none, since 10 rows are fewer than the required 16", out)
+    t.assertIn("spectrum: none, since 10 intervals are fewer than the required 16", out)
     t.assertFalse((t.folder / "r/spectrum.csv").exists())
 
 
@@ -221,6 +221,7 @@ def _(t):
     for arguments, words in (
         (["nowhere"], ["nowhere/history.csv does not exist", "perimpact run"]),
         (["r", "--from", "1"], ["--from 1 s and --to 2e-05 s leave no time of r/history.csv, whose rows range from 0 to 2e-05 s"]),
+        (["r", "--from", "1 us", "--to", "1.0000000001 us"], ["--from and --to are 1e-16 s apart, less than a millionth of the interval between rows of r/history.csv"]),
         (["r", "--to", "1 kg"], ["--to is 1 kg: that is a mass; write a time"]),
         (["r", "--columns", "cylinder.fource_x"], ["--columns: r/history.csv has no column cylinder.fource_x", "did you mean cylinder.force_x?"]),
         (["r", "--windows", "0"], ["--windows: Value 0 not in range", "--help lists the options"]),
@@ -245,6 +246,31 @@ def _(t):
     (t.folder / "r/history.csv").write_text("time [s],ice.kinetic_energy [J]\n0,1\n1,1\n")
     t.write_kinds("r")
     t.expect_complaint(t.run_program("statistics", "r"), 2, "r/history.csv has no columns of impactors", "--columns")
+
+
+@claim("statistics: the channel is where the ice was before it moved, whatever frame is the first")
+def _(t):
+    t.expect_success("run", sheet(t), "--out", "r", "--set", "output.frames=1", "--set", "bodies.plate.velocity=[1000 m/s, 0, 0]")  # four spacings
+    frames = t.folder / "r/frames/plate.pvd"
+    first, *others = [line for line in frames.read_text().splitlines() if "<DataSet" in line]
+    t.assertEqual(len(others), 1)
+    frames.write_text(frames.read_text().replace(first + "\n", ""))
+    t.expect_success("statistics", "r", "--channel", "plate:x", "--sheet", "0.41")
+    # the sheet is from 0.8 to 1.2 m; frames have single precision, and places are rounded to a thousandth of a spacing
+    t.assertAlmostEqual(table(t.folder / "r/fragments/plate_channel_x.csv")["along_x [m]"][0], 0.8025, delta=1e-5)
+
+
+@claim("statistics: files that are not of the run are neither replaced nor removed")
+def _(t):
+    t.expect_success("run", t.deck(("history_interval: 2 us", "history_interval: 0.3 us")), "--out", "r")
+    for name in ("statistics.csv", "windows.csv", "spectrum.csv"):
+        (t.folder / "r" / name).write_text("mine")
+        t.expect_complaint(t.run_program("statistics", "r"), 2, f"r/{name} would be replaced, but it is not a file of this run; rename or move it.")
+        t.assertEqual((t.folder / "r" / name).read_text(), "mine")
+        (t.folder / "r" / name).unlink()
+    t.expect_success("statistics", "r", "--windows", "2")
+    t.expect_success("statistics", "r")  # replaces its own
+    t.assertFalse((t.folder / "r/windows.csv").exists())
 
 
 @claim("statistics: a new run into the same folder removes the statistics of the earlier one")

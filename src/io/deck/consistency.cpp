@@ -33,6 +33,18 @@ void check_time(const TimeSetup& time, const Places& places) {
     refuse(places.of("time.step"), fmt::format("step is {} s, longer than the whole run of {} s; use a smaller step or a later end.", *time.step, time.end));
 }
 
+/// Tables of one object have the name of another: fragments/sheet_end.csv is the second table of the body sheet, and would be the first of sheet_end.
+template <class Named>
+void expect_other_tables(std::span<const Named> all, std::string_view kind, std::string_view folder, std::initializer_list<std::string_view> endings,
+                         const Places& places) {
+  for (const Named& one : all)
+    for (const std::string_view ending : endings)
+      for (const Named& other : all)
+        if (other.name == one.name + std::string(ending))
+          refuse(places.of(fmt::format("{}.{}", kind, other.name)),
+                 fmt::format("{}/{}.csv is already a table of {}; choose a name that does not end in {}.", folder, other.name, one.name, ending));
+}
+
 /// Names of bodies, impactors and probes are prefixes of columns in history.csv, as is total.
 void check_names(const Setup& setup, const Places& places) {
   std::set<std::string> taken = {"total"};
@@ -44,6 +56,8 @@ void check_names(const Setup& setup, const Places& places) {
   for (const BodySetup& body : setup.bodies) take("bodies." + body.name, body.name);
   for (const ImpactorSetup& impactor : setup.impactors) take("impactors." + impactor.name, impactor.name);
   for (const ProbeSetup& probe : setup.output.probes) take("output.probes." + probe.name, probe.name);
+  expect_other_tables<BodySetup>(setup.bodies, "bodies", "fragments", {"_end", "_channel_x", "_channel_y"}, places);
+  expect_other_tables<ImpactorSetup>(setup.impactors, "impactors", "pressure_area", {"_at_peak"}, places);
 }
 
 void apply_published(BodySetup& body, const std::string& path, const Places& places) {

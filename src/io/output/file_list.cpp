@@ -6,6 +6,7 @@
 #include <charconv>
 #include <fstream>
 
+#include "base/error.hpp"
 #include "io/output/file.hpp"
 #include "io/output/results_folder.hpp"
 
@@ -95,6 +96,13 @@ void FileList::write_to(const fs::path& folder) const {
   for (const std::string& file : files_) text += file + "\n";
   for (const auto& [series, last] : last_frames_) text += fmt::format("{}_[{:05}-{:05}]{}\n", series, 0, last, extension);
   write_whole_file(ResultsFolder::list_in(folder), text);
+}
+
+void expect_listed(const fs::path& folder, std::span<const std::string> files) {
+  const FileList list = FileList::of(folder);
+  for (const std::string& file : files)
+    if (fs::exists(folder / file) && !list.contains(file))
+      throw fccda::InputError(fmt::format("{} would be replaced, but it is not a file of this run; rename or move it.", (folder / file).string()));
 }
 
 void list_file(const fs::path& folder, const std::string& file) {

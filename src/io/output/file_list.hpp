@@ -11,6 +11,7 @@
 #include <filesystem>
 #include <map>
 #include <set>
+#include <span>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -41,6 +42,9 @@ class FileList {
   std::set<std::string> files_;
   std::map<std::string, std::size_t, std::less<>> last_frames_;  // of each series
 };
+
+/// Throws InputError where one of the files exists in the folder without being in its list: it is not of this program and would be replaced.
+void expect_listed(const std::filesystem::path& folder, std::span<const std::string> files);
 
 /// Adds a file that another command writes into a results folder to the list of the folder.
 void list_file(const std::filesystem::path& folder, const std::string& file);

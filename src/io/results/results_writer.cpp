@@ -67,8 +67,8 @@ output::FileList planned_files(const Simulation& simulation, std::span<const Lin
   return list;
 }
 
-/// Of a run that is resumed at the current step: what it wrote at its end, or later than this step.
-output::FileList later_files(const Simulation& simulation, const std::filesystem::path& folder, std::span<const Line> lines) {
+/// Of a run that is resumed at the current step: what it wrote at its end, or later than this step, and what other commands derived from it.
+output::FileList later_files(const Simulation& simulation, const std::filesystem::path& folder, std::span<const Line> lines, const Written& written) {
   output::FileList later, earlier;
   for (const Line& line : lines)
     for (const long step : line.steps)
@@ -76,9 +76,14 @@ output::FileList later_files(const Simulation& simulation, const std::filesystem
   const output::FileList all = output::FileList::of(folder);
   for (const std::string& file : all.files())
     if (file.starts_with("lines/") && !earlier.contains(file)) later.add(file);
-  for (const char* file : {"run.json", "report.html", "open_in_paraview.py"}) later.add(file);
-  for (const Body& body : simulation.bodies()) later.add("fragments/" + body.name + "_end.csv");
-  for (const Impactor& impactor : simulation.impactors()) later.add("pressure_area/" + impactor.name() + "_at_peak.csv");
+  for (const char* file : {"run.json", "report.html", "open_in_paraview.py", "statistics.csv", "windows.csv", "spectrum.csv"}) later.add(file);
+  for (const Body& body : simulation.bodies())
+    for (const char* which : {"_end", "_channel_x", "_channel_y"}) later.add("fragments/" + body.name + which + ".csv");
+  for (std::size_t i = 0; i < simulation.impactors().size(); ++i) {
+    const std::string curve = "pressure_area/" + simulation.impactors()[i].name();
+    later.add(curve + "_at_peak.csv");
+    if (written.pressure_area[i] == 0) later.add(curve + ".csv");  // contact began after the checkpoint
+  }
   return later;
 }
 
@@ -141,7 +146,7 @@ ResultsWriter::Files::Files(const Simulation& simulation, const std::filesystem:
 }
 
 ResultsWriter::Files::Files(const Simulation& simulation, const std::filesystem::path& path, std::span<const Line> lines, Written& written)
-    : folder((expect_files(simulation, path, lines, written), path), planned_files(simulation, lines), later_files(simulation, path, lines)),
+    : folder((expect_files(simulation, path, lines, written), path), planned_files(simulation, lines), later_files(simulation, path, lines, written)),
       history(folder.history(), simulation.monitors().columns().size(), written.history),
       panel_frames(std::move(written.panel_frames)) {
   auto times = written.frame_times.begin();

@@ -148,6 +148,22 @@ ChannelWidths widths_of(std::span<const ChannelColumn> columns, double spacing, 
   return widths;
 }
 
+/// Reference positions of the particles of a frame. A moving window has other ones in every frame, so they are from its displacements where it has them.
+std::vector<Vec3d> reference_places(const frames::Frame& frame, const output::FrameFile& first, const std::string& name) {
+  if (const frames::FrameArray* displacement = frame.find("displacement"); displacement != nullptr && displacement->components == 3) {
+    std::vector<Vec3d> places = frame.points;
+    for (std::size_t p = 0; p < places.size(); ++p)
+      for (std::size_t c = 0; c < 3; ++c) places[p][c] -= displacement->numbers[3 * p + c];
+    return places;
+  }
+  if (first.time != 0)
+    throw fccda::InputError(
+        fmt::format("{} has no field displacement and there is no frame at t = 0 s, but the channel width needs the positions before deformation; run the deck "
+                    "with displacement in output.frame_fields.",
+                    name));
+  return frames::read_frame(first).points;
+}
+
 ChannelFrame read_channel_frame(const std::filesystem::path& results, const std::string& body, std::optional<double> latest) {
   ChannelFrame frame;
   frame.spacing = spacing_of(results, body);
@@ -176,7 +192,7 @@ ChannelFrame read_channel_frame(const std::filesystem::path& results, const std:
       throw fccda::InputError(fmt::format("{}: {} is no number of a fragment; use the file as written by the run.", frame.name, fragment));
     frame.fragments.push_back(static_cast<std::int32_t>(fragment));
   }
-  frame.places = frames::read_frame(all.front()).points;  // frame at t = 0
+  frame.places = reference_places(read, all.front(), frame.name);
   if (frame.places.size() != frame.fragments.size() || frame.places.empty())
     throw fccda::InputError(fmt::format("{} and {} have different numbers of particles; use the files of one run.", all.front().name(), frame.name));
   return frame;

@@ -7,6 +7,7 @@
 #include <optional>
 #include <utility>
 
+#include "base/error.hpp"
 #include "perimpact/deck_model/setup_error.hpp"
 
 namespace perimpact {
@@ -78,12 +79,16 @@ long MovingWindow::moves_due(std::span<const Impactor> impactors) const {
   return (travelled < 0 ? -wanted : wanted) - moves_;
 }
 
+int MovingWindow::cells_from_front(const Particles& particles, std::size_t slot, long moves) const {
+  const Lattice& whole = *particles.whole_lattice();
+  const int cell = whole.cell(particles.share().whole_slot(slot))[axis_];
+  return moves < 0 ? cell : whole.cells[axis_] - 1 - cell;
+}
+
 void MovingWindow::inspect_front(const Body& body, long moves) {
-  const Lattice& lattice = *body.particles.whole_lattice();
-  const auto reach = static_cast<int>(std::ceil(body.family.horizon() / lattice.spacing));
+  const auto reach = static_cast<int>(std::ceil(body.family.horizon() / body.particles.spacing()));
   for (const std::uint32_t slot : body.particles.slot_of()) {
-    const int cell = lattice.cell(body.particles.share().whole_slot(slot))[axis_], from_front = moves < 0 ? cell : lattice.cells[axis_] - 1 - cell;
-    if (from_front >= 2 * reach) continue;  // the family of particles with bonds to new material
+    if (cells_from_front(body.particles, slot, moves) >= 2 * reach) continue;  // the family of particles with bonds to new material
     front_damage_ = std::max(front_damage_, body.family.damage(slot));
   }
   front_damage_ = body.particles.share().ranks().max(front_damage_);
@@ -105,7 +110,7 @@ void MovingWindow::continue_front(Body& body, long moves) const {
   const std::size_t across = axis_ == 0 ? 1 : 0;
   const auto place_of = [&](std::size_t slot) {  // distance from the front, and line
     const std::array<int, 3> cell = whole.cell(share.whole_slot(slot));
-    return std::pair(moves < 0 ? cell[axis_] : length - 1 - cell[axis_],
+    return std::pair(cells_from_front(particles, slot, moves),
                      static_cast<std::size_t>(cell[2]) * static_cast<std::size_t>(whole.cells[across]) + static_cast<std::size_t>(cell[across]));
   };
   std::vector<AtFront> own;
@@ -145,6 +150,20 @@ void MovingWindow::continue_front(Body& body, long moves) const {
   for (VectorArray* vectors : {&particles.position, &particles.velocity})
     for (double* component : vectors->writable_pointers()) arrays.push_back(component);
   share.refresh(std::span<double* const>(arrays));
+}
+
+void MovingWindow::expect_clear(Body& body, std::span<const Impactor> impactors, long moves) const {
+  const int added = std::abs(cells_of(moves)[axis_]);
+  for (const Impactor& impactor : impactors) {
+    const std::vector<std::size_t> inside = impactor.initial_overlap(body_, ContactParticles(body.particles, {}, 0));
+    const auto here = std::ranges::count_if(inside, [&](std::size_t slot) { return cells_from_front(body.particles, slot, moves) < added; });
+    const std::int64_t all = body.particles.share().ranks().sum(static_cast<std::int64_t>(here));
+    if (all > 0)
+      throw fccda::RunError(fmt::format(
+          "The moving window of body {} has reached impactor {}: {} particles of new material are inside its surface, or nearer to it than the contact "
+          "radius. Start the impactor behind the front, end the run before, or use a body of the whole track without moving_window.",
+          name_, impactor.name(), all));
+  }
 }
 
 std::vector<std::string> MovingWindow::warnings() const {

@@ -40,6 +40,8 @@ class MovingWindow {
   /// and the second cell behind it. Where a line is damaged there, both are interpolated between the undamaged lines beside it in its layer. New material stays
   /// undeformed and at rest where a whole layer is damaged, and everywhere if fewer than three cells of the window are left of a move. Collective.
   void continue_front(Body& body, long moves) const;
+  /// To be called after a move: throws RunError if new material is inside an impactor, or nearer to it than the contact radius. Collective.
+  void expect_clear(Body& body, std::span<const Impactor> impactors, long moves) const;
   /// A warning if the material at the front was damaged in any move so far.
   std::vector<std::string> warnings() const;
 
@@ -59,7 +61,8 @@ class MovingWindow {
   }
 
  private:
-  double position(std::span<const Impactor> impactors) const;  // [m] of the impactor along the axis
+  double position(std::span<const Impactor> impactors) const;                            // [m] of the impactor along the axis
+  int cells_from_front(const Particles& particles, std::size_t slot, long moves) const;  // with this direction of the moves
 
   std::string name_;
   std::size_t body_, impactor_, axis_;

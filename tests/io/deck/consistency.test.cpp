@@ -90,6 +90,13 @@ TEST_CASE("consistency: bodies, impactors and probes share the columns of histor
                    "total:", "the name total is already in use; bodies, impactors, probes and total share the columns of history.csv, so choose another."});
 }
 
+TEST_CASE("consistency: the second table of one body or impactor is not the first of another") {
+  check_complaint({"impactors:\n",
+                   "  plate_end: {shape: {box: {size: [1, 1, 1]}}, position: [9, 0, 0], spacing: 0.2, material: {model: bond-based, youngs_modulus: 1, "
+                   "density: 1}}\nimpactors:\n",
+                   "plate_end:", "fragments/plate_end.csv is already a table of plate; choose a name that does not end in _end."});
+}
+
 TEST_CASE("consistency: probes and lines are on bodies that exist, at times within the run") {
   check_complaint({"body: plate", "body: plates", "plates", "body is \"plates\", but there is no such body; did you mean plate?"});
   check_complaint({"probes:", "lines: {edge: {body: floe, from: [0, 0, 0], to: [1, 0, 0]}}, probes:", "floe",

@@ -396,6 +396,20 @@ TEST_CASE("moving window: a window whose front is damaged when it moves is repor
   CHECK(std::ranges::any_of(warnings, [](const std::string& one) { return one.find("the material at its front was damaged") != std::string::npos; }));
 }
 
+TEST_CASE("moving window: a run ends with a sentence where new material would be inside another impactor") {
+  constexpr int cells = 64, steps = 20;
+  for (const double beyond : {4.0, 20.0}) {  // [spacing] of a resting obstacle from the front
+    Setup setup = struck(cells, 0, Model::bond_based, steps);
+    setup.bodies[0].moving_window = window_after(0);
+    setup.impactors.push_back(ball("pile", 4 * spacing, {-(cells / 2 + beyond) * spacing, 0, 0}, {}));
+    Simulation simulation(setup);
+    if (beyond > added + 2)
+      CHECK_NOTHROW(fixtures::run(simulation));
+    else
+      CHECK_THROWS_WITH_AS(fixtures::run(simulation), doctest::Contains("The moving window of body body has reached impactor pile: "), fccda::RunError);
+  }
+}
+
 TEST_CASE("moving window: a window whose impactor does not move along its axis is warned of") {
   const auto warned = [](const Setup& setup) {
     return std::ranges::any_of(Simulation(setup).warnings(), [](const std::string& one) {
