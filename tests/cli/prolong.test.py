@@ -23,6 +23,7 @@ def _(t):
     deck = t.deck(*SHORT, LINE)
     t.expect_success("run", deck, "--out", "whole", *TWICE)
     t.expect_success("run", deck, "--out", "r")
+    t.expect_success("statistics", "r")  # of the shorter run, hence gone afterwards
     at_end = [name for name in t.files("r") if name.startswith("lines/along_y")]
     t.assertEqual(len(at_end), 1)
     out = t.expect_success("run", deck, "--out", "r", "--resume", *TWICE).out
