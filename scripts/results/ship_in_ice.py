@@ -75,7 +75,8 @@ def draw_damage(folder, times, file):
     is_wide = wide > long
     rows, columns = (1, len(shots)) if is_wide else (len(shots), 1)
     size = (11, 0.9 + 10 / columns * wide / long) if is_wide else (9, 0.6 + rows * (0.45 + 7 * wide / long))
-    figure, axes = plt.subplots(rows, columns, figsize=size, sharex=True, sharey=True)
+    begins = [(sheet.points[:, 0] - sheet.point["displacement"][:, 0]).min() for _, sheet in shots]
+    figure, axes = plt.subplots(rows, columns, figsize=size, sharex=bool(np.ptp(begins) < 1e-3), sharey=True)  # windows that move have axes of their own
     for axis, (at, sheet) in zip(axes, shots):
         reference = sheet.points - sheet.point["displacement"]
         spacing = spacing_of(sheet)
