@@ -104,7 +104,7 @@ def measure(folder):
         "starts [s]": clock[broken > broken[0]][0] if broken[-1] > broken[0] else None,
         "speed [m/s]": np.polyfit(np.array(times)[running], lengths[running], 1)[0] if running.sum() > 2 else None,
         "length [m]": lengths[-1],
-        "projectile at 65 us [m/s]": np.interp(65e-6, clock, history["projectile.velocity_y [m/s]"]) if clock[-1] > 65e-6 else None,
+        "projectile at 65 us [m/s]": np.interp(65e-6, clock, rows["projectile.velocity_y [m/s]"]) if clock[-1] > 65e-6 else None,
     }
 
 

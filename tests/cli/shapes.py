@@ -4,7 +4,7 @@ import math
 import sys
 from pathlib import Path
 
-sys.path.insert(0, str(Path(__file__).resolve().parents[2] / "scripts" / "pictures"))
+sys.path.insert(0, str(Path(__file__).resolve().parents[2] / "scripts/results"))
 
 DEFECTS = ["boundary edge", "non-manifold edge", "non-orientable", "no volume", "self-intersection", "inside out"]
 
