@@ -3,7 +3,8 @@
 
 A line for each results folder. Loads are of contact on the part `bow`: the largest row of F_x within the first metres (SETTLED), the response
 to the first impact; mean and largest mean over a second after these metres; F_z/F_x; the number of load peaks, and the time between them. The mean over
-all the travel is that of the whole hull: its work over the length. Then the travel in the ice; broken bonds; through-cracks (below); fragments of at least 1 % of the sheet's mass besides the remaining sheet;
+all the travel is that of the whole hull: its work over the length. Then the travel in the ice; the breadth of the waterline in the ice at the end of it, and
+its mean over the travel; broken bonds; through-cracks (below); fragments of at least 1 % of the sheet's mass besides the remaining sheet;
 work of the ship, and the energy balance error over it. Broken bonds are a share of those of all ice that was in a window that moves; cracks and
 fragments are those in the window at the end.
 
@@ -61,26 +62,50 @@ def through_cracks(reference, damage, breadth):
     return int(np.median((np.diff(cracked, axis=0) == 1).sum(axis=0)))
 
 
+def report_of(folder):
+    """run.json."""
+    return json.loads((Path(folder) / "run.json").read_text())
+
+
+def travel_in_ice(rows):
+    """[m] of the ship since first contact of its bow, by row; negative before it."""
+    position = rows["ship.position_x [m]"]
+    return position[np.flatnonzero(rows["ship.bow.force_x [N]"])[0]] - position
+
+
+def bow_length(hull):
+    """[m] p B/2 / tan α of a hull as in run.json (docs/guide/shapes.md)."""
+    return hull["fullness"] * hull["breadth"] / 2 / np.tan(hull["waterline_angle"])
+
+
+def breadth_in_ice(hull, travel):
+    """[m] of the waterline, that far behind the stem, and its mean in front of there: y = B/2 (1 - (1 - t)^p) in the bow."""
+    breadth, fullness, length = hull["breadth"], hull["fullness"], bow_length(hull)
+    inside = min(travel, length)
+    rest = 1 - inside / length
+    area = breadth * (travel - length * (1 - rest ** (fullness + 1)) / (fullness + 1))
+    return breadth * (1 - rest**fullness), area / travel
+
+
 @functools.cache  # tables and figures use the same runs
 def measure(folder):
-    rows = history(folder)
-    report = json.loads((Path(folder) / "run.json").read_text())
+    rows, report = history(folder), report_of(folder)
     time, along, up = rows["time [s]"], rows["ship.bow.force_x [N]"], rows["ship.bow.force_z [N]"]
-    first = time[np.flatnonzero(along)[0]]
-    speed = abs(rows["ship.velocity_x [m/s]"][0])
-    late = time > first + SETTLED / speed
-    travel = speed * (time[-1] - first)
+    way = travel_in_ice(rows)
+    first, travel, late = time[way >= 0][0], way[-1], way > SETTLED
     work = -rows["ship.contact_work [J]"][-1]
     loads = times_of_loads(time[time >= first], along[time >= first])
     sheet = read_vtp(series(folder, "sheet")[-1][1])
     body = report["setup"]["bodies"]["sheet"]
     moved = abs(rows["sheet.window_travel [m]"][-1]) if "sheet.window_travel [m]" in rows else 0.0
     met = 1 + moved / body["shape"]["box"]["size"][0]  # ice of the whole track over that of the window
-    breadth = report["setup"]["impactors"]["ship"]["surface"]["hull"]["breadth"]
+    hull = report["setup"]["impactors"]["ship"]["surface"]["hull"]
+    breadth = hull["breadth"]
     with open(Path(folder) / "fragments/sheet.csv", newline="") as lines:
         fragments = list(csv.DictReader(lines))[-1]
     return {
         "travel": travel,
+        "breadth": breadth_in_ice(hull, travel),
         "first peak": along[~late].max(),
         "mean of all": work / travel,
         "mean": along[late].mean() if late.any() else np.nan,
@@ -105,7 +130,7 @@ def loads_of(m):
 def show(folder):
     m = measure(folder)
     print(
-        f"{Path(folder).name:24s} {m['travel']:5.1f} m  peak {m['first peak'] / 1e6:5.2f} MN  mean {m['mean of all'] / 1e3:5.0f} kN, late {m['mean'] / 1e3:5.0f} kN  1 s {m['largest 1 s'] / 1e3:5.0f} kN"
+        f"{Path(folder).name:24s} {m['travel']:5.1f} m  breadth {m['breadth'][0]:4.1f}, mean {m['breadth'][1]:4.1f} m  peak {m['first peak'] / 1e6:5.2f} MN  mean {m['mean of all'] / 1e3:5.0f} kN, late {m['mean'] / 1e3:5.0f} kN  1 s {m['largest 1 s'] / 1e3:5.0f} kN"
         f"  loads {loads_of(m)}"
         f"  F_z/F_x {m['ratio']:.4f}  broken {100 * m['broken']:4.1f} %  cracks {m['cracks']:d}  fragments {m['large fragments']:d}{m['where']}  work {m['work'] / 1e6:.2f} MJ  closing {m['closing']:.0e}"
     )

@@ -51,7 +51,6 @@ std::string channel_text(const StatisticsArguments& arguments, std::optional<dou
   const char along = "xy"[axis], across = "yx"[axis];
   const std::filesystem::path file = output::ResultsFolder::fragments_in(arguments.folder) / fmt::format("{}_channel_{}.csv", body, along);
   const std::string listed = (std::filesystem::path("fragments") / file.filename()).string();
-  output::expect_listed(arguments.folder, std::span(&listed, 1));
   const ChannelFrame frame = read_channel_frame(arguments.folder, body, latest);
   const std::vector<ChannelColumn> columns = channel_columns(frame.places, frame.fragments, frame.spacing, axis, wanted.sheet);
   const ChannelWidths widths = widths_of(columns, frame.spacing, low, high);
@@ -60,8 +59,8 @@ std::string channel_text(const StatisticsArguments& arguments, std::optional<dou
   for (const ChannelColumn& column : columns) rows.insert(rows.end(), {column.along, column.low, column.high, column.width, column.all_broken});
   const std::vector<std::string> names = {fmt::format("along_{} [m]", along), fmt::format("low_{} [m]", across), fmt::format("high_{} [m]", across),
                                           "width [m]", "all_broken [m]"};
+  output::claim_files(arguments.folder, std::span(&listed, 1));
   output::write_csv(file, names, rows);
-  output::list_file(arguments.folder, listed);
 
   std::string text = fmt::format("channel along {} in body {} at {:.6g} s ({})\n", along, body, frame.time, frame.name);
   if (widths.length == 0) {

@@ -2,6 +2,8 @@
 
 #include <fmt/format.h>
 
+#include <span>
+#include <string>
 #include <string_view>
 #include <system_error>
 
@@ -49,7 +51,8 @@ void rethrow_with_place(const deck::Deck& deck, const DefectFolder& folder) {
       output::prepare_folder(folder.path);
       write_defects(file, error.panels(), {&error.defect(), 1});
     }
-    if (folder.is_written && folder.lists_files) output::list_file(folder.path, file.filename().string());
+    const std::string listed = file.filename().string();
+    if (folder.is_written && folder.lists_files) output::list_files(folder.path, std::span(&listed, 1));
     throw fccda::InputError(fmt::format("{}: {} These panels are in {}, for ParaView.", deck.places.of(error.key()), error.what(), file.string()));
   } catch (const SetupError& error) {
     throw fccda::InputError(deck.places.of(error.key()) + ": " + error.what());

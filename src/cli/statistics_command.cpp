@@ -215,29 +215,37 @@ void print_spectrum(const Window& window, const Spectrum& spectrum) {
              spectrum.resolution(), 0.5 / spectrum.interval);
 }
 
+/// Removes output of earlier commands for other columns or times.
+void remove_earlier(const std::filesystem::path& folder) {
+  const output::FileList list = output::FileList::of(folder);
+  std::error_code ignored;
+  for (const char* name : {"windows.csv", "spectrum.csv"})
+    if (list.contains(name)) std::filesystem::remove(folder / name, ignored);
+}
+
 void print_columns(const StatisticsArguments& arguments, const Table& table, const std::vector<std::size_t>& columns, const Window& window) {
   const std::size_t segment = segment_of(window, quantity_of_option("--segment", arguments.segment, "s"));
-  output::expect_listed(arguments.folder, std::vector<std::string>{"statistics.csv", "windows.csv", "spectrum.csv"});
+  std::vector<std::string> written = {"statistics.csv"};
+  if (arguments.windows > 1) written.emplace_back("windows.csv");
+  if (segment > 0) written.emplace_back("spectrum.csv");
+  output::claim_files(arguments.folder, written);
   std::vector<Summary> summaries;
   for (const std::size_t column : columns) summaries.push_back(summary_of(table, column, window, arguments.windows, segment));
 
   fmt::print("{}: {} rows from {:.6g} to {:.6g} s, interval {:.4g} s\n\n", table.file.string(), window.count, window.from, window.to, window.interval);
   print_table(summaries);
-  std::vector<std::string> written = {"statistics.csv"};
-  write_statistics(arguments.folder / written.back(), summaries);
-  std::error_code ignored;  // output of earlier commands for other columns or times
-  for (const char* name : {"windows.csv", "spectrum.csv"}) std::filesystem::remove(arguments.folder / name, ignored);
+  write_statistics(arguments.folder / "statistics.csv", summaries);
+  remove_earlier(arguments.folder);
   if (arguments.windows > 1) {
     print_windows(summaries);
-    write_windows(arguments.folder / written.emplace_back("windows.csv"), summaries);
+    write_windows(arguments.folder / "windows.csv", summaries);
   }
   if (segment > 0) {
     print_spectrum(window, *summaries.front().spectrum);
-    write_spectrum(arguments.folder / written.emplace_back("spectrum.csv"), summaries);
+    write_spectrum(arguments.folder / "spectrum.csv", summaries);
   } else {
     fmt::print("\nspectrum: none, since {} intervals are fewer than the required {}\n", intervals_in(window), fewest_for_spectrum);
   }
-  for (const std::string& file : written) output::list_file(arguments.folder, file);
   fmt::print("Written to {}: {}\n", arguments.folder.string(), fmt::join(written, ", "));
 }
 

@@ -263,11 +263,16 @@ def _(t):
 @claim("statistics: files that are not of the run are neither replaced nor removed")
 def _(t):
     t.expect_success("run", t.deck(("history_interval: 2 us", "history_interval: 0.3 us")), "--out", "r")
-    for name in ("statistics.csv", "windows.csv", "spectrum.csv"):
+    for name in ("statistics.csv", "windows.csv", "spectrum.csv", "statistics.csv.part"):
         (t.folder / "r" / name).write_text("mine")
-        t.expect_complaint(t.run_program("statistics", "r"), 2, f"r/{name} would be replaced, but it is not a file of this run; rename or move it.")
+        refused = t.run_program("statistics", "r", "--windows", "2")
+        t.expect_complaint(refused, 2, f"r/{name} would be replaced, but r/files.txt does not list it as a file of a run; move or rename it.")
         t.assertEqual((t.folder / "r" / name).read_text(), "mine")
         (t.folder / "r" / name).unlink()
+    (t.folder / "r/windows.csv").write_text("mine")
+    t.expect_success("statistics", "r")  # writes no windows
+    t.assertEqual((t.folder / "r/windows.csv").read_text(), "mine")
+    (t.folder / "r/windows.csv").unlink()
     t.expect_success("statistics", "r", "--windows", "2")
     t.expect_success("statistics", "r")  # replaces its own
     t.assertFalse((t.folder / "r/windows.csv").exists())

@@ -91,6 +91,13 @@ std::vector<std::string> FileList::present_in(const fs::path& folder) const {
   return present;
 }
 
+void FileList::expect_no_others(const FileList& planned, const fs::path& folder, std::string_view advice) const {
+  for (const std::string& file : planned.present_in(folder))
+    if (!contains(file))
+      throw fccda::InputError(fmt::format("{} would be replaced, but {} does not list it as a file of a run; {}.", (folder / file).string(),
+                                          ResultsFolder::list_in(folder).string(), advice));
+}
+
 void FileList::write_to(const fs::path& folder) const {
   std::string text(first_line);
   for (const std::string& file : files_) text += file + "\n";
@@ -98,18 +105,18 @@ void FileList::write_to(const fs::path& folder) const {
   write_whole_file(ResultsFolder::list_in(folder), text);
 }
 
-void expect_listed(const fs::path& folder, std::span<const std::string> files) {
-  const FileList list = FileList::of(folder);
-  for (const std::string& file : files)
-    if (fs::exists(folder / file) && !list.contains(file))
-      throw fccda::InputError(fmt::format("{} would be replaced, but it is not a file of this run; rename or move it.", (folder / file).string()));
+void list_files(const fs::path& folder, std::span<const std::string> files) {
+  FileList list = FileList::of(folder);
+  if (std::ranges::all_of(files, [&](const std::string& file) { return list.contains(file); })) return;
+  for (const std::string& file : files) list.add(file);
+  list.write_to(folder);
 }
 
-void list_file(const fs::path& folder, const std::string& file) {
-  FileList list = FileList::of(folder);
-  if (list.contains(file)) return;
-  list.add(file);
-  list.write_to(folder);
+void claim_files(const fs::path& folder, std::span<const std::string> files) {
+  FileList planned;
+  for (const std::string& file : files) planned.add(file);
+  FileList::of(folder).expect_no_others(planned, folder, "move or rename it");
+  list_files(folder, files);
 }
 
 }  // namespace perimpact::output

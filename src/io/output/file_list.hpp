@@ -34,6 +34,9 @@ class FileList {
   const std::set<std::string>& files() const { return files_; }  ///< without frames
   /// The files of the list that exist in the folder, as paths from it.
   std::vector<std::string> present_in(const std::filesystem::path& folder) const;
+  /// Throws InputError where a file of `planned` exists in the folder, whole or as `<file>.part`, without being in this list: it is not of this program and
+  /// would be replaced. `advice`: what to do besides moving it, as a clause.
+  void expect_no_others(const FileList& planned, const std::filesystem::path& folder, std::string_view advice) const;
 
   /// Replaces the list of the folder. Throws RunError where it cannot be written.
   void write_to(const std::filesystem::path& folder) const;
@@ -43,10 +46,10 @@ class FileList {
   std::map<std::string, std::size_t, std::less<>> last_frames_;  // of each series
 };
 
-/// Throws InputError where one of the files exists in the folder without being in its list: it is not of this program and would be replaced.
-void expect_listed(const std::filesystem::path& folder, std::span<const std::string> files);
+/// Adds files that another command writes into a results folder to the list of the folder.
+void list_files(const std::filesystem::path& folder, std::span<const std::string> files);
 
-/// Adds a file that another command writes into a results folder to the list of the folder.
-void list_file(const std::filesystem::path& folder, const std::string& file);
+/// The same, to be called before they are written. Throws InputError where one of them exists without being in the list.
+void claim_files(const std::filesystem::path& folder, std::span<const std::string> files);
 
 }  // namespace perimpact::output

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <string>
+#include <string_view>
 #include <system_error>
 #include <vector>
 
@@ -15,6 +16,8 @@ namespace perimpact::output {
 namespace fs = std::filesystem;
 
 namespace {
+
+constexpr std::string_view advice = "move it, or choose another folder with --out or output.folder";
 
 /// The rank in the order of removal: a checkpoint must not remain without the results that it resumes.
 int rank(const std::string& file) {
@@ -33,15 +36,6 @@ void remove(const fs::path& folder, std::vector<std::string> files) {
   }
 }
 
-void expect_own(const fs::path& folder, const FileList& planned, const FileList& own) {
-  for (const std::string& file : planned.present_in(folder))
-    if (!own.contains(file))
-      throw fccda::InputError(
-          fmt::format("{} would be replaced, but {} does not list it as a file of a run; move it, or choose another folder with --out or "
-                      "output.folder.",
-                      (folder / file).string(), ResultsFolder::list_in(folder).string()));
-}
-
 }  // namespace
 
 void prepare_folder(const fs::path& folder) {
@@ -57,7 +51,7 @@ void prepare_folder(const fs::path& folder) {
 ResultsFolder::ResultsFolder(fs::path folder, const FileList& planned) : folder_(std::move(folder)) {
   for (const fs::path& each : {folder_, frames(), lines(), pressure_area(), fragments()}) prepare_folder(each);
   const FileList earlier = FileList::of(folder_);
-  expect_own(folder_, planned, earlier);
+  earlier.expect_no_others(planned, folder_, advice);
   remove(folder_, earlier.present_in(folder_));
   planned.write_to(folder_);
 }
@@ -65,7 +59,7 @@ ResultsFolder::ResultsFolder(fs::path folder, const FileList& planned) : folder_
 ResultsFolder::ResultsFolder(fs::path folder, const FileList& planned, const FileList& discarded) : folder_(std::move(folder)) {
   for (const fs::path& each : {folder_, frames(), lines(), pressure_area(), fragments()}) prepare_folder(each);
   FileList all = FileList::of(folder_);
-  expect_own(folder_, planned, all);
+  all.expect_no_others(planned, folder_, advice);
   std::vector<std::string> unwanted = all.present_in(folder_);
   std::erase_if(unwanted, [&](const std::string& file) { return !file.ends_with(".part") && !discarded.contains(file); });
   remove(folder_, unwanted);

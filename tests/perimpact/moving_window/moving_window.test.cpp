@@ -299,14 +299,20 @@ TEST_CASE("moving window: energy that leaves with discarded material is recorded
   CHECK(error_of(with) < 1.5 * error_of(without));
 }
 
-TEST_CASE("moving window: a restart after every step is bitwise exact, before and after moves, with rubble, water and ice that yields") {
+TEST_CASE("moving window: a restart after every step is bitwise exact, with rubble, moving water, an absorbing end and ice that yields") {
   Setup setup = struck(40, 0, Model::bond_based, 32);
   std::get<BondBasedSetup>(setup.bodies[0].material).plasticity = PlasticitySetup{.compressive_strength = 2e7};
-  setup.bodies[0].particle_sets = {{.name = "end", .shape = BoxSolid{{6 * spacing, 1, 1}}, .position = {-20 * spacing, 0, 0}}};
-  setup.bodies[0].boundary_conditions = {{"sea", FloatingSetup{.level = 0}}, {"ahead", FixedSetup{.particle_set = "end"}}};
+  setup.bodies[0].particle_sets = {{.name = "end", .shape = BoxSolid{{6 * spacing, 1, 1}}, .position = {-20 * spacing, 0, 0}},
+                                   {.name = "rear", .shape = BoxSolid{{12 * spacing, 1, 1}}, .position = {20 * spacing, 0, 0}}};
+  FloatingSetup water;
+  water.level = 0.004, water.entrained_depth = 0.01, water.dry_top = 0.001;
+  AbsorbingSetup behind;
+  behind.particle_set = "rear", behind.face = Choice{face_words, 1}, behind.reflection = 0.01;
+  setup.bodies[0].boundary_conditions = {{"sea", water}, {"ahead", FixedSetup{.particle_set = "end", .directions = {"x", "y"}}}, {"behind", behind}};
   setup.bodies[0].moving_window = window_after(0);
   Simulation simulation(setup);
   fixtures::run(simulation);
+  CHECK(std::fabs(fixtures::value(simulation, "body.behind.work [J]")) > 0);
   CHECK(fixtures::value(simulation, "body.broken_bonds [-]") > 0);
   CHECK(fixtures::value(simulation, "body.plastic_dissipation [J]") > 0);
   CHECK(simulation.moving_windows()[0].travel() == fixtures::relative(-24 * spacing, 1e-12));
