@@ -40,7 +40,7 @@ inline Setup window_strip(const std::filesystem::path& folder, bool along_x, dou
   rear.name = "rear", rear.shape = BoxSolid{along(10 * window_spacing, 1, 1)}, rear.position = along(-direction * 32 * window_spacing, 0, 0);
   strip.particle_sets = {front, rear};
   FloatingSetup water;
-  water.level = 0.004, water.drag = 1, water.damping = 2, water.dry_top = 0.001;
+  water.level = 0.004, water.drag = 1, water.damping = 2, water.dry_top = 0.001, water.entrained_depth = 0.003;
   AbsorbingSetup end;
   end.particle_set = "rear", end.face = Choice{face_words, (along_x ? 0 : 2) + (direction > 0 ? 1 : 0)}, end.reflection = 0.01;
   strip.boundary_conditions = {{"sea", water}, {"ahead", FixedSetup{.particle_set = "front", .directions = {"x", "y"}}}, {"behind", end}};

@@ -127,9 +127,10 @@ void BoundaryConditions::impose_displacements(Particles& particles, const fccda:
   for_each([&](const PrescribedDisplacement& constraint) { constraint.impose_displacements(particles, step, travel); });
 }
 
-std::vector<std::uint32_t> BoundaryConditions::reimpose_after_contact(Particles& particles, const fccda::Step& step, std::vector<std::uint32_t> changed) {
+std::vector<std::uint32_t> BoundaryConditions::respond_to_contact(Particles& particles, const fccda::Step& step, std::vector<std::uint32_t> changed) {
   std::sort(changed.begin(), changed.end());
   changed.erase(std::unique(changed.begin(), changed.end()), changed.end());
+  for_each([&](Floating& water) { water.exclude_from_added_mass(changed); });
   std::vector<std::uint32_t> displaced;
   for_each([&](PrescribedDisplacement& constraint) { constraint.reimpose_after_contact(particles, step, changed, displaced); });
   return displaced;

@@ -49,9 +49,9 @@ class BoundaryConditions {
   /// Imposes prescribed displacements after the particles were advanced. `travel`: of advance().
   void impose_displacements(Particles& particles, const fccda::Step& step, std::span<double> travel);
 
-  /// Reimposes prescribed displacements after contact, which has displaced the particles in the slots `changed`, each once or repeatedly. Returns those that
-  /// were constrained, ascending per boundary condition. Collective.
-  std::vector<std::uint32_t> reimpose_after_contact(Particles& particles, const fccda::Step& step, std::vector<std::uint32_t> changed);
+  /// To be called after contact, which has displaced the particles in the slots `changed`, each once or repeatedly: reimposes prescribed displacements, and
+  /// excludes these particles from added mass. Returns those that were constrained, ascending per boundary condition. Collective.
+  std::vector<std::uint32_t> respond_to_contact(Particles& particles, const fccda::Step& step, std::vector<std::uint32_t> changed);
 
   /// For relaxation: adds the loads of that time to the forces of the bonds, and removes the forces on constrained directions. Returns the
   /// 2-norm [N] of loads and reactions.

@@ -285,10 +285,14 @@ void BoundaryPasses::enter_sums(const Particles& particles, const fccda::Step& n
   });
 }
 
-/// Exposed particles, shares of intact bonds and dry tops, of which few change.
+/// Exposed particles, those in contact with impactors, shares of intact bonds and dry tops, of which few change.
 void BoundaryPasses::update_surface(Floating& water, Part& part, Body& body) {
   const Floating::SurfaceChange change = water.update_surface(body.particles, body.family, body.internal.broken_ends());
   if (change.is_exposed && part.eights > 0) body_->mirrors().upload(water.exposed());
+  if (water.contact_has_changed()) {
+    body_->mirrors().upload(water.in_contact());
+    if (!water.carriers().empty()) body_->mirrors().upload(water.carriers());
+  }
   part.intact->to_device(change.eights, std::array{water.intact_shares().data()});
   if (!water.has_dry_top()) return;
   flood(water, change.tops, body.particles);

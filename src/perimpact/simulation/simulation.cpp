@@ -302,7 +302,7 @@ void Simulation::resolve_impactor_contact() {
       impactors_[i].record_unresolved(b, static_cast<std::size_t>(all), clock_.time());
     }
     if (OnDevice* const device = on_device(b)) device->body.moved_on_host(particles[b].changed());  // among them all that are reimposed
-    for (const std::uint32_t slot : boundary_conditions_[b].reimpose_after_contact(bodies_[b].particles, clock_.latest(), particles[b].changed()))
+    for (const std::uint32_t slot : boundary_conditions_[b].respond_to_contact(bodies_[b].particles, clock_.latest(), particles[b].changed()))
       for (Impactor& impactor : impactors_) impactor.put_back(b, slot);
   }
 }

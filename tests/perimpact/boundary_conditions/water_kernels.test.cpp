@@ -67,6 +67,7 @@ struct PlainWater {
   const std::vector<std::uint32_t> held;  // along x and z
   Exposure exposure{scene.body.particles, scene.body.family, scene.broken_ends};
   std::map<std::uint32_t, Vec3d> latest = {};
+  std::vector<std::uint32_t> in_contact = {};  // ascending
 
   std::array<int, 2> column(std::uint32_t slot) const {
     const auto [i, j, layer] = scene.body.particles.lattice()->cell(slot);
@@ -117,7 +118,8 @@ struct PlainWater {
     std::map<std::array<int, 2>, double> wetness, layers;
     const auto wet = [&](std::uint32_t slot) { return std::clamp((water.level - particles.position.at(slot).z) / particles.size_of(slot) + 0.5, 0.0, 1.0); };
     if (water.entrained_depth != 0)
-      for (const std::uint32_t slot : slots) wetness[column(slot)] = std::max(wetness[column(slot)], wet(slot)), layers[column(slot)] += 1;
+      for (const std::uint32_t slot : slots)
+        wetness[column(slot)] = std::max(wetness[column(slot)], wet(slot)), layers[column(slot)] += std::ranges::binary_search(in_contact, slot) ? 0 : 1;
     struct Sum {
       Vec3d force;
       double work;
@@ -142,7 +144,7 @@ struct PlainWater {
       for (std::size_t c = 0; c < 3; ++c) {
         if (c != 1 && std::ranges::binary_search(held, slot)) continue;
         after[c] = (before[c] - density * alpha * velocity[c]) / (1 + 0.5 * alpha * dt);
-        if (c == 2 && adds_mass) after[c] *= density / (density + mass);
+        if (c == 2 && adds_mass && !std::ranges::binary_search(in_contact, slot)) after[c] *= density / (density + mass);
       }
       particles.force_density.set(slot, after);
       const Vec3d force = particles.volume(slot) * (after - before);
@@ -201,6 +203,10 @@ TEST_CASE("water kernels: forces, works and potential are bitwise those of a loo
             for (std::size_t eight = static_cast<std::size_t>(instant); eight < scene.broken_ends.size(); eight += 9) scene.cut(eight, random);
             plain.exposure.update(scene.body.family, scene.broken_ends);
           }
+          plain.in_contact.clear();
+          for (const std::uint32_t slot : particles.slot_of())
+            if (instant > 0 && (slot / 5) % 3 == static_cast<std::uint32_t>(instant) % 3) plain.in_contact.push_back(slot);
+          floating.exclude_from_added_mass(plain.in_contact);
           floating.update_exposed_surface(particles, scene.body.family, scene.broken_ends);
           std::vector<bool> is_dry = plain.dry(expected);
           for (std::size_t slot = 0; slot < is_dry.size(); ++slot) {

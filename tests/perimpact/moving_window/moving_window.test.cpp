@@ -307,7 +307,7 @@ TEST_CASE("moving window: a restart after every step is bitwise exact, with rubb
   FloatingSetup water;
   water.level = 0.004, water.entrained_depth = 0.01, water.dry_top = 0.001;
   AbsorbingSetup behind;
-  behind.particle_set = "rear", behind.face = Choice{face_words, 1}, behind.reflection = 0.01;
+  behind.particle_set = "rear", behind.face = Choice{face_words, 0}, behind.reflection = 0.01;
   setup.bodies[0].boundary_conditions = {{"sea", water}, {"ahead", FixedSetup{.particle_set = "end", .directions = {"x", "y"}}}, {"behind", behind}};
   setup.bodies[0].moving_window = window_after(0);
   Simulation simulation(setup);

@@ -236,6 +236,36 @@ TEST_CASE("water columns: a particle entrains water in proportion to its intact 
   }
 }
 
+TEST_CASE("water columns: an impactor at constant velocity carries all of the net buoyancy, whatever water the block moves along") {
+  constexpr double pace = 0.05, damping = 40, volume = height * height * height;  // [m/s] [1/s] [m³]
+  FloatingSetup water = calm();
+  water.level = 10, water.damping = damping;
+  constexpr double step = 1e-3;  // [s] smaller than the stable one, since the first contact is sudden
+  // [N] of a block under water; damping, implicit in the velocity, divides the force that contact opposes
+  const double expected = ((sea - ice) * gravity * volume + ice * volume * damping * pace) / (1 + damping * step / 2);
+  const auto force = [&](double entrained_depth, double added_mass) {
+    water.entrained_depth = entrained_depth, water.added_mass = added_mass;
+    Setup setup = block(0, water, 3);
+    setup.bodies[0].velocity = {0, 0, -pace};
+    setup.time.step = step;
+    ImpactorSetup plate;
+    plate.name = "plate";
+    plate.surface = BoxSurface{.size = {4, 4, 1}, .edge_length = 1};
+    plate.mass = 1000;
+    plate.position = {0, 0, height / 2 + 0.5};
+    plate.velocity = {0, 0, -pace};
+    setup.impactors = {plate};
+    Simulation pressed(setup);
+    fixtures::run(pressed);
+    CHECK(pressed.contacts() == 16);  // the top layer
+    return value(pressed, "plate.force_z [N]");
+  };
+  // vibrations decay by e^(-40 s⁻¹ 3 s/2) without water, and with water of 6.8 times the mass of the block by e⁻⁷·⁷
+  CHECK(force(0, 0) == fixtures::relative(expected, 0.002));
+  CHECK(force(6, 0) == fixtures::relative(expected, 0.002));
+  CHECK(force(0, 3) == fixtures::relative(expected, 0.002));
+}
+
 TEST_CASE("water columns: energy and momentum close through a splash with entrained water and a top that floods") {
   FloatingSetup water = calm();
   water.drag = 1, water.damping = 0.3, water.entrained_depth = 1.2, water.dry_top = 0.1;

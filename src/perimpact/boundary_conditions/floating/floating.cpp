@@ -59,12 +59,19 @@ std::optional<double> floating_level(const Particles& particles, std::span<const
 }
 
 Floating::Floating(const Particles& particles, std::vector<std::uint32_t> slots, const Water& water, double floats_at)
-    : slots_(std::move(slots)), eights_(slots_), water_(water), floats_at_(floats_at), exposed_(eights_.count(), 0), forces_(resists() ? eights_.places() : 0) {
+    : slots_(std::move(slots)),
+      eights_(slots_),
+      water_(water),
+      floats_at_(floats_at),
+      exposed_(eights_.count(), 0),
+      in_contact_(eights_.count(), 0),
+      forces_(resists() ? eights_.places() : 0) {
   for (std::vector<std::uint8_t>& along : moves_) along.assign(eights_.lanes().begin(), eights_.lanes().end());
   if (!particles.lattice())
     for (std::size_t slot = 0; slot < particles.slots(); ++slot) heights_.push_back(particles.size_of(slot));
   if (water_.entrained_depth != 0 || water_.dry_top != 0) columns_.emplace(particles, eights_);
-  if (water_.entrained_depth != 0) wetness_.assign(columns_->count(), 0), intact_.assign(eights_.places(), 1);
+  if (water_.entrained_depth != 0)
+    wetness_.assign(columns_->count(), 0), carriers_.assign(columns_->layers().begin(), columns_->layers().end()), intact_.assign(eights_.places(), 1);
   if (water_.dry_top == 0) return;
   is_dry_.assign(eights_.places(), 0);
   for (std::size_t c = 0; c < columns_->count(); ++c)
@@ -79,9 +86,11 @@ WaterView Floating::view(Particles& particles) {
           particles.force_density.writable_pointers(),
           {moves_[0].data(), moves_[1].data(), moves_[2].data()},
           exposed_.data(),
+          in_contact_.data(),
           or_null(is_dry_),
           or_null(intact_),
           or_null(wetness_),
+          or_null(carriers_),
           forces_.view(),
           or_null(heights_),
           particles.spacing(),
@@ -96,6 +105,22 @@ void Floating::leave_out(std::span<const std::uint32_t> constrained, std::size_t
       std::uint8_t& moves = moves_[axis][eights_.place(k) / byte_lanes];
       moves = static_cast<std::uint8_t>(moves & ~(1u << slots_[k] % byte_lanes));
     }
+}
+
+void Floating::exclude_from_added_mass(std::span<const std::uint32_t> in_contact) {
+  if (!water_.adds_mass()) return;
+  const auto mark_all = [&](bool carries) {
+    for (const std::size_t k : listed_in_contact_) {
+      std::uint8_t& marks = in_contact_[eights_.place(k) / byte_lanes];
+      marks = static_cast<std::uint8_t>(marks ^ 1u << slots_[k] % byte_lanes);
+      if (!carriers_.empty()) carriers_[columns_->column_of(slots_[k])] += carries ? 1 : -1;
+    }
+  };
+  std::vector<std::uint32_t> now = indices_in(slots_, in_contact);
+  contact_has_changed_ = now != listed_in_contact_;
+  mark_all(true);
+  listed_in_contact_ = std::move(now);
+  mark_all(false);
 }
 
 void Floating::update_exposed_surface(const Particles& particles, const Family& family, std::span<const std::uint32_t> broken_ends) {

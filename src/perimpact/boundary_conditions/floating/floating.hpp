@@ -2,12 +2,12 @@
 ///
 ///   F_z/V = -ρ g + ρ_w g S(z),   S = clamp((z_w - z)/Δ + 1/2, 0, 1)                  [N/m³]
 ///   F/V   = -ρ (α + α_d) v,      α_d = ½ ρ_w C_d Δ² S |v|/(ρ V)                       [N/m³], C_d of particles at the surface alone
-///   a_z   = F_z/(m + C_a ρ_w S V),  or  F_z/(m + ρ_w d Δ² W (1 - φ)/n)                [m/s²]
+///   a_z   = F_z/(m + C_a ρ_w S V),  or  F_z/(m + ρ_w d Δ² W (1 - φ)/n)                [m/s²]; F_z/m in contact with an impactor
 ///
 /// S is the submerged share of a particle's height Δ (the edge of a cube of its volume) below the level z_w. In an intact sheet that contains
 /// the level, the sum over a column is exactly a Winkler foundation of the modulus ρ_w g; a fragment floats freely. α is mass-proportional
-/// damping; C_a is the added mass over that of the displaced water, d the depth of the water that a column of n particles entrains, W the
-/// largest S in it, and φ the damage of the particle. Buoyancy and weight have the
+/// damping; C_a is the added mass over that of the displaced water, d the depth of the water that a column entrains, n the number of its
+/// particles that are not in contact with an impactor, W the largest S in it, and φ the damage of the particle. Buoyancy and weight have the
 /// potential U = V (ρ g z + ρ_w g Δ q(t)), t = (z_w - z)/Δ + 1/2, q = 0, t²/2, t - 1/2 for t below 0, up to 1, above; their work is
 /// its decrease. The top particle of a column whose top is dry has S = t and q = t²/2 for all t above 0. Docs: docs/theory/floating_bodies.md.
 #pragma once
@@ -53,6 +53,10 @@ class Floating {
   /// Excludes constrained directions from damping and added mass. `constrained` ascending.
   void leave_out(std::span<const std::uint32_t> constrained, std::size_t axis);
 
+  /// Particles in these slots, ascending, were in contact with impactors in this step: they have no added mass in it. The others of their column carry the
+  /// water that it entrains.
+  void exclude_from_added_mass(std::span<const std::uint32_t> in_contact);
+
   /// Updates exposed particles at the body's surface, and what columns lose with their bonds and by their depth.
   void update_exposed_surface(const Particles& particles, const Family& family, std::span<const std::uint32_t> broken_ends);
 
@@ -85,10 +89,14 @@ class Floating {
     eights_.visit_arrays(visit);
     if (columns_) columns_->visit_arrays(visit);
     for (const std::vector<std::uint8_t>& along : moves_) visit(std::span(along));
-    visit(std::span(exposed_)), visit(std::span(is_dry_)), visit(std::span(intact_)), visit(std::span(wetness_)), visit(forces_.latest());
+    visit(std::span(exposed_)), visit(std::span(in_contact_)), visit(std::span(is_dry_)), visit(std::span(intact_)), visit(std::span(wetness_)),
+        visit(std::span(carriers_)), visit(forces_.latest());
   }
   std::span<double> latest_forces() { return forces_.latest(); }
   std::span<const std::uint8_t> exposed() const { return exposed_; }
+  std::span<const std::uint8_t> in_contact() const { return in_contact_; }
+  std::span<const double> carriers() const { return carriers_; }
+  bool contact_has_changed() const { return contact_has_changed_; }  ///< in the latest exclude_from_added_mass()
   std::span<const std::uint8_t> dry_tops() const { return is_dry_; }
   std::span<const double> intact_shares() const { return intact_; }
   bool resists() const { return water_.drag != 0 || water_.damping != 0 || water_.adds_mass(); }
@@ -143,10 +151,14 @@ class Floating {
   double floats_at_;
   double lift_z_ = 0;  // [N] of weight and buoyancy, at the latest positions
   std::optional<Exposure> exposure_;
-  std::vector<std::uint8_t> exposed_;  // of each eight: what exposure_ says of the particles
+  std::vector<std::uint8_t> exposed_;             // of each eight: what exposure_ says of the particles
+  std::vector<std::uint8_t> in_contact_;          // of each eight: particles in contact with impactors in this step
+  std::vector<std::uint32_t> listed_in_contact_;  // the same, by their numbers in the list
+  bool contact_has_changed_ = false;
   std::optional<WaterColumns> columns_;
   std::vector<double> heights_;                      // [m] by slot; empty on a lattice
   std::vector<double> wetness_;                      // W of each column; empty without an entrained depth
+  std::vector<double> carriers_;                     // of each column: its particles that are not in contact; empty without an entrained depth
   std::vector<double> intact_;                       // 1 - φ by place; empty without an entrained depth
   std::vector<std::uint8_t> is_dry_;                 // by place, 1 for the top of a column that is dry there; empty without a dry top
   ForcesOnTheWay forces_;                            // of drag, damping and added mass; empty without them

@@ -19,11 +19,10 @@ struct ColumnsView {
   std::size_t count = 0;
   const std::uint32_t* begin = nullptr;    ///< of the eights of each stack in `members`
   const std::uint32_t* members = nullptr;  ///< eights above one another, by their numbers in the list, upward
-  const double* layers = nullptr;          ///< number of particles of each column
 
   template <class Visit>
   void visit_pointers(const Visit& visit) {
-    visit(begin), visit(members), visit(layers);
+    visit(begin), visit(members);
   }
 };
 
@@ -39,11 +38,12 @@ class WaterColumns {
   std::size_t column_of(std::size_t slot) const { return slot % tops_.size(); }
   /// The uppermost particle, if it is also that of the body; else none.
   std::uint32_t top(std::size_t column) const { return tops_[column]; }
+  std::span<const double> layers() const { return layers_; }  ///< number of particles of each column
   template <class Visit>
   void visit_arrays(const Visit& visit) const {
-    visit(std::span(begin_)), visit(std::span(members_)), visit(std::span(layers_));
+    visit(std::span(begin_)), visit(std::span(members_));
   }
-  ColumnsView view() const { return {tops_.size(), begin_.data(), members_.data(), layers_.data()}; }
+  ColumnsView view() const { return {tops_.size(), begin_.data(), members_.data()}; }
 
  private:
   std::vector<std::uint32_t> tops_, begin_, members_;

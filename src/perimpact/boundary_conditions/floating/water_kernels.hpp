@@ -47,9 +47,11 @@ struct WaterView {
   std::array<double*, 3> force;              // [N/m³] by slot
   std::array<const std::uint8_t*, 3> moves;  // of each eight: the directions that are not constrained
   const std::uint8_t* exposed;               // of each eight: drag acts
+  const std::uint8_t* in_contact;            // of each eight: no added mass
   const std::uint8_t* is_dry;                // by place: the top of a column that is dry there; null without a dry top
   const double* intact;                      // [-] by place: 1 - D; null without an entrained depth
   double* wetness;                           // [-] W of each column; null without an entrained depth
+  const double* carriers;                    // of each column: its particles that are not in contact; null without an entrained depth
   ForcesOnTheWay::View latest;
   const double* heights;  // [m] by slot, of a point cloud; null on a lattice
   double height;          // [m] of each particle of a lattice
@@ -61,7 +63,7 @@ struct WaterView {
   void visit_pointers(const Visit& visit) {
     particles.visit_pointers(visit), eights.visit_pointers(visit), columns.visit_pointers(visit), latest.visit_pointers(visit);
     for (std::size_t c = 0; c < 3; ++c) visit(force[c]), visit(moves[c]);
-    visit(exposed), visit(is_dry), visit(intact), visit(wetness), visit(heights);
+    visit(exposed), visit(in_contact), visit(is_dry), visit(intact), visit(wetness), visit(carriers), visit(heights);
   }
 
   template <class Pack>
@@ -128,7 +130,7 @@ FCCDA_HD Pack entrained_by_pack(const WaterView& body, std::size_t place, std::s
   if (body.water.entrained_depth == 0) return Pack(body.water.added_mass * body.water.density) * wet;
   const std::size_t column = slot % body.columns.count;
   return Pack(body.water.density * body.water.entrained_depth) * load<Pack>(body.wetness + column) * load<Pack>(body.intact + place) /
-         (load<Pack>(body.columns.layers + column) * height);
+         (load<Pack>(body.carriers + column) * height);
 }
 
 /// Applies drag, damping and added mass in a step of dt [s] to the pack at a place.
@@ -150,7 +152,7 @@ FCCDA_HD ResistanceOfPack<Pack> resist_pack(const WaterView& body, std::size_t p
     after[c] = choose(resisted & bits_at<Pack>(body.moves[c], place), damped(before[c], velocity[c], body.density, damping, dt), before[c]);
   if (water.adds_mass()) {
     const Pack share = Pack(body.density) / (Pack(body.density) + entrained_by_pack(body, place, slot, height, wet));
-    after.z = choose(resisted & bits_at<Pack>(body.moves[2], place), after.z * share, after.z);
+    after.z = choose(resisted & bits_at<Pack>(body.moves[2], place) & ~bits_at<Pack>(body.in_contact, place), after.z * share, after.z);
   }
   for (std::size_t c = 0; c < 3; ++c) store(body.force[c] + slot, after[c]);
   return body.latest.record_force(place, resisted, volume * (after - before), Pack(dt) * velocity);

@@ -1,0 +1,52 @@
+#!/usr/bin/python3
+"""What the work of a ship becomes, as contributions to its mean resistance: contributions.py RESULTS [--from TIME] [--to TIME]
+
+The energy balance between two rows of history.csv, divided by the travel between them: each contribution [kN] is the work or the dissipation in a metre of travel.
+Together they are the mean of F_x of contact over the travel.
+"""
+
+import argparse
+import re
+from pathlib import Path
+
+from measure import history
+
+CONTRIBUTIONS = (  # docs/theory/energy.md; the columns of a body are summed over all bodies; sign: of energy that the ice gains
+    ("plastic strain of the ice", 1, r".*\.plastic_dissipation"),
+    ("fracture", 1, r".*\.fracture_energy"),
+    ("friction between fragments", 1, r"total\.(friction|dashpot)_dissipation"),
+    ("compaction of fragments", 1, r"total\.compaction_dissipation"),
+    ("friction and inelastic contact of the hull", 1, r"total\.contact_dissipation"),
+    ("weight and buoyancy", -1, r".*\.weight_buoyancy_work"),
+    ("drag and damping by the water", -1, r".*\.drag_work"),
+    ("flooding", 1, r".*\.flooding_dissipation"),
+    ("waves that leave through absorbing edges", -1, r".*\.waves_\w+\.work"),
+    ("elastic and kinetic energy of the ice", 1, r"(?!ship\b).*\.(elastic|kinetic)_energy"),
+    ("energy that leaves with ice behind the window", 1, r"total\.discarded_energy"),
+)
+
+
+def contributions(rows, begin, end):
+    """Name → kN, and the mean F_x [kN] of the same rows under "ship"."""
+    chosen = [k for k, time in enumerate(rows["time [s]"]) if begin <= time <= end]
+    change = {name.split(" [")[0]: column[chosen[-1]] - column[chosen[0]] for name, column in rows.items()}
+    travel = abs(change["ship.position_x"])
+    found = {name: sign * sum(value for column, value in change.items() if re.fullmatch(pattern, column)) for name, sign, pattern in CONTRIBUTIONS}
+    return {name: value / travel / 1e3 for name, value in found.items()}, -change["ship.contact_work"] / travel / 1e3, travel
+
+
+def main():
+    arguments = argparse.ArgumentParser(description=__doc__.splitlines()[0])
+    arguments.add_argument("results", type=Path)
+    arguments.add_argument("--from", dest="begin", type=float, default=0, help="[s]")
+    arguments.add_argument("--to", dest="end", type=float, default=float("inf"), help="[s]")
+    given = arguments.parse_args()
+    parts, ship, travel = contributions(history(given.results), given.begin, given.end)
+    print(f"| work of the ship in {travel:.1f} m of travel, by metre | [kN] | share |\n|---|---|---|")
+    for name, value in sorted(parts.items(), key=lambda part: -part[1]):
+        print(f"| {name} | {value:.0f} | {100 * value / ship:.0f} % |")
+    print(f"| all, and the work of the ship | {sum(parts.values()):.1f}, {ship:.1f} | |")
+
+
+if __name__ == "__main__":
+    main()
