@@ -21,13 +21,13 @@ CONTRIBUTIONS = (  # docs/theory/energy.md; the columns of a body are summed ove
     ("drag and damping by the water", -1, r".*\.drag_work"),
     ("flooding", 1, r".*\.flooding_dissipation"),
     ("waves that leave through absorbing edges", -1, r".*\.waves_\w+\.work"),
-    ("elastic and kinetic energy of the ice", 1, r"(?!ship\b).*\.(elastic|kinetic)_energy"),
+    ("elastic and kinetic energy of the ice", 1, r"(?!ship\b).*\.(elastic|kinetic|contact)_energy"),
     ("energy that leaves with ice behind the window", 1, r"total\.discarded_energy"),
 )
 
 
 def contributions(rows, begin, end):
-    """Name → kN, and the mean F_x [kN] of the same rows under "ship"."""
+    """Name → [kN] of the rows from `begin` to `end` [s], the mean of F_x of the ship [kN], and its travel [m]."""
     chosen = [k for k, time in enumerate(rows["time [s]"]) if begin <= time <= end]
     change = {name.split(" [")[0]: column[chosen[-1]] - column[chosen[0]] for name, column in rows.items()}
     travel = abs(change["ship.position_x"])

@@ -103,6 +103,20 @@ def _(t):
     t.assertLess(max(abs(error) for error in rows["total.energy_balance_error [J]"]), 0.02 * work)
 
 
+@claim("ship: the contributions to the resistance add to the work of the ship")
+def _(t):
+    import numpy as np
+    from contributions import contributions
+
+    rows = short(t, "contact.impactors.friction=0.1")
+    parts, ship, travel = contributions({name: np.array(column) for name, column in rows.items()}, 0.2, 1)
+    t.assertAlmostEqual(travel, 0.8 * 1.5433, delta=0.04)  # a row
+    t.assertGreater(ship, 100)
+    t.assertAlmostEqual(sum(parts.values()), ship, delta=0.01 * ship)  # kinetic energy of rows is that of interpolated velocities
+    t.assertGreater(parts["fracture"], 0.02 * ship)
+    t.assertGreater(parts["friction and inelastic contact of the hull"], 0.02 * ship)
+
+
 @claim("ship: a load that falls to half of the mean has ended, and one that only swings has not")
 def _(t):
     import numpy as np
