@@ -19,7 +19,6 @@ CONTRIBUTIONS = (  # docs/theory/energy.md; the columns of a body are summed ove
     ("friction and inelastic contact of the hull", 1, r"total\.contact_dissipation"),
     ("weight and buoyancy", -1, r".*\.weight_buoyancy_work"),
     ("drag and damping by the water", -1, r".*\.drag_work"),
-    ("flooding", 1, r".*\.flooding_dissipation"),
     ("waves that leave through absorbing edges", -1, r".*\.waves_\w+\.work"),
     ("elastic and kinetic energy of the ice", 1, r"(?!ship\b).*\.(elastic|kinetic|contact)_energy"),
     ("energy that leaves with ice behind the window", 1, r"total\.discarded_energy"),

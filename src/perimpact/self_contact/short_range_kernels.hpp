@@ -143,10 +143,11 @@ FCCDA_HD void evaluate_density(const ShortRangeView& view, std::size_t m) {
   }
   view.near_count[m] = count;
 
-  // bond failure causes no repulsion: the threshold increases with the density. It decreases with the density, never below that of two faces.
+  // bond failure causes no repulsion: the threshold increases with the density. It decreases where fragments part, never below that of two faces.
   double threshold = view.threshold[m];
   const double old = own - fresh;
-  threshold = larger(view.face.density, threshold < old ? threshold : old);
+  const double parted = old + remembered_opening * view.face.slope;
+  threshold = larger(view.face.density, threshold < parted ? threshold : parted);
   double overlap = larger(old - threshold, 0.0);
   if (view.yields) {
     // the threshold yields such that the pressure is the largest; with the mean of the pressures before and after, the balance of leapfrog closes

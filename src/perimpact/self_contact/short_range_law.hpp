@@ -63,6 +63,9 @@ struct Face {
 inline constexpr Face face_in_space{.density = 0.241455078125 * (1 + 1e-9), .slope = 1.118272, .oblique_share = 0.90};
 inline constexpr Face face_in_plane{.density = 0.2112735 * (1 + 1e-9), .slope = 0.911014, .oblique_share = 1};
 
+/// [a] opening up to which a crack closes where it opened; a wider one closes at its largest width less this.
+inline constexpr double remembered_opening = 0.1;
+
 /// Density stiffness B [J] of a particle; k [N/m⁷].
 inline double density_stiffness(const Face& face, double k, double volume, double distance) {
   const double arm = volume * distance / face.slope;

@@ -119,7 +119,8 @@ struct PlainWater {
     const auto wet = [&](std::uint32_t slot) { return std::clamp((water.level - particles.position.at(slot).z) / particles.size_of(slot) + 0.5, 0.0, 1.0); };
     if (water.entrained_depth != 0)
       for (const std::uint32_t slot : slots)
-        wetness[column(slot)] = std::max(wetness[column(slot)], wet(slot)), layers[column(slot)] += std::ranges::binary_search(in_contact, slot) ? 0 : 1;
+        wetness[column(slot)] = std::max(wetness[column(slot)], wet(slot)),
+        layers[column(slot)] += std::ranges::binary_search(in_contact, slot) || std::ranges::binary_search(held, slot) ? 0 : 1;
     struct Sum {
       Vec3d force;
       double work;

@@ -64,7 +64,7 @@ class AllPairs {
       const Particle& i = particles[a];
       const double reach = law.distance_ratio * i.size, unit = i.volume * i.volume * reach * reach / (2 * slope * slope);
       double& threshold = thresholds_[a];
-      threshold = std::max(face, std::min(threshold, own[a] - fresh[a]));
+      threshold = std::max(face, std::min(threshold, own[a] - fresh[a] + 0.1 * slope));
       double overlap = std::max(0.0, own[a] - fresh[a] - threshold);
       const double most = pile.largest_pressure * i.volume * reach / (2 * slope * i.size) / (k[i.body] * unit);
       if (overlap > most) {

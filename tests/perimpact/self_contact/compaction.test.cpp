@@ -130,8 +130,8 @@ TEST_CASE("compaction: compacted particles unload elastically, reload without di
   CHECK(rubble.contact().compaction_dissipation() == fixtures::relative(dissipated, 1e-9));
   rubble.compress(1.002);
   CHECK(rubble.pressure(1.002) == 0);  // the gap that compaction leaves
-  for (int step = 0; step <= 150; ++step) rubble.compress(1 + 0.002 * step);
-  for (int step = 0; step <= 150; ++step) rubble.compress(1.3 - 0.002 * step);
+  for (int step = 0; step <= 300; ++step) rubble.compress(1 + 0.002 * step);
+  for (int step = 0; step <= 300; ++step) rubble.compress(1.6 - 0.002 * step);
   CHECK(rubble.pressure(1) == fixtures::relative(pressure, 1e-3));
   CHECK(rubble.contact().compaction_dissipation() == fixtures::relative(2 * dissipated, 1e-3));
 }

@@ -204,6 +204,39 @@ TEST_CASE("short range: bond failure in place causes no repulsion, and contact a
   }
 }
 
+TEST_CASE("short range: a crack in any direction closes where it opened, without force, unless it has opened by more than a tenth of the contact distance") {
+  for (const Vec3d& normal : {Vec3d{1, 0, 0}, Vec3d{1, 1, 0}, Vec3d{2, 1, 0}, Vec3d{1, 1, 1}}) {
+    CAPTURE(normal.y);
+    CAPTURE(normal.z);
+    const Vec3d n = normal / norm(normal);
+    Pile pile{.law = {}, .bodies = {}};
+    pile.bodies.push_back(fixtures::body({.size = {0.011, 0.011, 0.011}, .spacing = spacing}));
+    Body& body = pile.bodies[0];
+    const auto bodies = pile.contacts();
+    ShortRange contact(pile.law, bodies);
+    AllPairs expected;
+    const auto is_beyond = [&](std::size_t slot) { return dot(n, body.particles.reference(slot)) > 0.2 * spacing; };
+    break_bonds(body, [&](std::size_t i, std::size_t j) { return is_beyond(i) != is_beyond(j); });
+    double before = 0;
+    const auto energy_at = [&](double opening) {  // [spacings]
+      constexpr double dt = 1e-8;
+      for (const std::uint32_t slot : body.particles.slot_of())
+        if (is_beyond(slot)) body.particles.velocity.set(slot, (opening - before) * spacing / dt * n);
+      before = opening;
+      fixtures::deform(body, [&](const Vec3d& X) { return dot(n, X) > 0.2 * spacing ? X + opening * spacing * n : X; });
+      pile.clear_forces();
+      contact.add_forces(bodies, dt), expected.evaluate(pile, dt);
+      CHECK(difference(pile, expected) <= 1e-10);
+      return contact.energy();
+    };
+    for (const double opening : {0.0, 0.02, 0.05, 0.03, 0.01, 0.0}) CHECK(energy_at(opening) == 0);
+    CHECK(energy_at(-0.005) > 0);  // faces that are pressed together
+    for (const double opening : {0.0, 0.2, 0.5, 1.0, 1.5, 2.0}) CHECK(energy_at(opening) == 0);
+    if (normal.y == 0) continue;  // the density of a face from the start
+    CHECK(energy_at(0.01) > 0);   // at the distance of faces, which is more than that of the lattice
+  }
+}
+
 TEST_CASE("short range: a particle whose bond broke in compression causes repulsion at that distance once it has been out of range") {
   Pile pile{.law = {}, .bodies = {}};
   pile.bodies.push_back(fixtures::body({.size = {0.011, 0.009, 0.009}, .spacing = spacing}));

@@ -102,8 +102,9 @@ WaterView Floating::view(Particles& particles) {
 void Floating::leave_out(std::span<const std::uint32_t> constrained, std::size_t axis) {
   for (std::size_t k = 0; k < slots_.size(); ++k)
     if (std::binary_search(constrained.begin(), constrained.end(), slots_[k])) {
-      std::uint8_t& moves = moves_[axis][eights_.place(k) / byte_lanes];
-      moves = static_cast<std::uint8_t>(moves & ~(1u << slots_[k] % byte_lanes));
+      if (axis == 2 && !carriers_.empty() && moves(k, axis)) carriers_[columns_->column_of(slots_[k])] -= 1;
+      std::uint8_t& bits = moves_[axis][eights_.place(k) / byte_lanes];
+      bits = static_cast<std::uint8_t>(bits & ~(1u << slots_[k] % byte_lanes));
     }
 }
 
@@ -113,7 +114,7 @@ void Floating::exclude_from_added_mass(std::span<const std::uint32_t> in_contact
     for (const std::size_t k : listed_in_contact_) {
       std::uint8_t& marks = in_contact_[eights_.place(k) / byte_lanes];
       marks = static_cast<std::uint8_t>(marks ^ 1u << slots_[k] % byte_lanes);
-      if (!carriers_.empty()) carriers_[columns_->column_of(slots_[k])] += carries ? 1 : -1;
+      if (!carriers_.empty() && moves(k, 2)) carriers_[columns_->column_of(slots_[k])] += carries ? 1 : -1;
     }
   };
   std::vector<std::uint32_t> now = indices_in(slots_, in_contact);

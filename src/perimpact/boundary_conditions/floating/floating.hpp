@@ -7,9 +7,9 @@
 /// S is the submerged share of a particle's height Δ (the edge of a cube of its volume) below the level z_w. In an intact sheet that contains
 /// the level, the sum over a column is exactly a Winkler foundation of the modulus ρ_w g; a fragment floats freely. α is mass-proportional
 /// damping; C_a is the added mass over that of the displaced water, d the depth of the water that a column entrains, n the number of its
-/// particles that are not in contact with an impactor, W the largest S in it, and φ the damage of the particle. Buoyancy and weight have the
-/// potential U = V (ρ g z + ρ_w g Δ q(t)), t = (z_w - z)/Δ + 1/2, q = 0, t²/2, t - 1/2 for t below 0, up to 1, above; their work is
-/// its decrease. The top particle of a column whose top is dry has S = t and q = t²/2 for all t above 0. Docs: docs/theory/floating_bodies.md.
+/// particles whose vertical motion neither an impactor nor a constraint prescribes, W the largest S in it, and φ the damage of the particle. Buoyancy and
+/// weight have the potential U = V (ρ g z + ρ_w g Δ q(t)), t = (z_w - z)/Δ + 1/2, q = 0, t²/2, t - 1/2 for t below 0, up to 1, above; their work is its
+/// decrease. The top particle of a column whose top is dry has S = t and q = t²/2 for all t above 0. Docs: docs/theory/floating_bodies.md.
 #pragma once
 
 #include <algorithm>
@@ -141,6 +141,8 @@ class Floating {
   Hydrostatics lift(Particles& particles, bool with_squares);
   double flood_top(std::uint32_t top, const Particles& particles);  // [J] that the water loses
   void expose(std::size_t k);
+  /// Whether the particle with the number k in the list is free along an axis.
+  bool moves(std::size_t k, std::size_t axis) const { return (moves_[axis][eights_.place(k) / fccda::byte_lanes] >> (slots_[k] % fccda::byte_lanes)) & 1u; }
   void update_intact_share(const Family& family, std::span<const std::uint32_t> changed);
   void record_flooding(double loss);
 
@@ -156,14 +158,14 @@ class Floating {
   std::vector<std::uint32_t> listed_in_contact_;  // the same, by their numbers in the list
   bool contact_has_changed_ = false;
   std::optional<WaterColumns> columns_;
-  std::vector<double> heights_;                      // [m] by slot; empty on a lattice
-  std::vector<double> wetness_;                      // W of each column; empty without an entrained depth
-  std::vector<double> carriers_;                     // of each column: its particles that are not in contact; empty without an entrained depth
-  std::vector<double> intact_;                       // 1 - φ by place; empty without an entrained depth
-  std::vector<std::uint8_t> is_dry_;                 // by place, 1 for the top of a column that is dry there; empty without a dry top
-  ForcesOnTheWay forces_;                            // of drag, damping and added mass; empty without them
-  double potential_ = 0;                             // [J] at the latest instant
-  bool has_begun_ = false;                           // potential_ is known
+  std::vector<double> heights_;       // [m] by slot; empty on a lattice
+  std::vector<double> wetness_;       // W of each column; empty without an entrained depth
+  std::vector<double> carriers_;      // of each column: its particles that neither contact nor a constraint moves; empty without an entrained depth
+  std::vector<double> intact_;        // 1 - φ by place; empty without an entrained depth
+  std::vector<std::uint8_t> is_dry_;  // by place, 1 for the top of a column that is dry there; empty without a dry top
+  ForcesOnTheWay forces_;             // of drag, damping and added mass; empty without them
+  double potential_ = 0;              // [J] at the latest instant
+  bool has_begun_ = false;            // potential_ is known
   double weight_buoyancy_work_ = 0, drag_work_ = 0;  // [J]
   double flooding_dissipation_ = 0;                  // [J]
 };

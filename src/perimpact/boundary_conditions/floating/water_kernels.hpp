@@ -51,7 +51,7 @@ struct WaterView {
   const std::uint8_t* is_dry;                // by place: the top of a column that is dry there; null without a dry top
   const double* intact;                      // [-] by place: 1 - D; null without an entrained depth
   double* wetness;                           // [-] W of each column; null without an entrained depth
-  const double* carriers;                    // of each column: its particles that are not in contact; null without an entrained depth
+  const double* carriers;                    // of each column: its particles that neither contact nor a constraint moves; null without an entrained depth
   ForcesOnTheWay::View latest;
   const double* heights;  // [m] by slot, of a point cloud; null on a lattice
   double height;          // [m] of each particle of a lattice
