@@ -98,6 +98,7 @@ bodies:
     shape: {{box: {{size: [{long:.6g} m, {wide:.6g} m, {ship.thickness:g} m]}}}}
     position: [{-long / 2:.6g} m, 0, {ship.thickness / 2 - draft:.4g} m]         # in floating equilibrium
     spacing: {spacing:.7g} m                       # {along} x {across} x {LAYERS} particles
+    horizon_ratio: 2.015
     bending_calibration: z
     mass_scaling: {scaling:.3g}                            # the water that moves with a cusp
     moving_window: {{follow: ship, start_after: {ASTERN:g} m}}
@@ -109,7 +110,7 @@ bodies:
       # brittle in uniaxial compression, ductile under confinement, granular once crushed
       plasticity: {{compressive_strength: {test["compressive strength"]:g} MPa, failure_strain: 0.003, failure_pressure: 0.2, failure_width: 3, friction_angle: 30 deg}}
     failure: {{no_fail: [far_end, port, starboard]}}
-    particle_sets:                                 # of the middle layer, as deep as the horizon
+    particle_sets:                                 # of the middle layer, three spacings deep
       far_end: {{shape: {{box: {{size: [{edge:.5g} m, {wide + 1:.4g} m, {layer}]}}}}, position: [{(edge - long) / 2:.6g} m, 0, 0]}}
       port: {{shape: {{box: {{size: [{long - edge:.6g} m, {edge:.5g} m, {layer}]}}}}, position: [{edge / 2:.5g} m, {(edge - wide) / 2:.6g} m, 0]}}
       starboard: {{shape: {{box: {{size: [{long - edge:.6g} m, {edge:.5g} m, {layer}]}}}}, position: [{edge / 2:.5g} m, {(wide - edge) / 2:.6g} m, 0]}}
@@ -142,7 +143,7 @@ impactors:
 
 contact:
   impactors: {{friction: {ship.friction:g}}}
-  fragments: {{law: repulsive, friction: 0.1}}
+  fragments: {{law: repulsive, stiffness_factor: 2, friction: 0.1}}
 
 output:
   folder: results/uikku_ice_{"free" if is_free else number}
