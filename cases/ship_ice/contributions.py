@@ -7,9 +7,11 @@ Together they are the mean of F_x of contact over the travel.
 
 import argparse
 import re
+import sys
 from pathlib import Path
 
-from measure import history
+sys.path.insert(0, str(Path(__file__).resolve().parent / "../../scripts/results"))
+from csv_reader import history  # noqa: E402
 
 CONTRIBUTIONS = (  # docs/theory/energy.md; the columns of a body are summed over all bodies; sign: of energy that the ice gains
     ("plastic strain of the ice", 1, r".*\.plastic_dissipation"),
@@ -28,6 +30,8 @@ CONTRIBUTIONS = (  # docs/theory/energy.md; the columns of a body are summed ove
 def contributions(rows, begin, end):
     """Name → [kN] of the rows from `begin` to `end` [s], the mean of F_x of the ship [kN], and its travel [m]."""
     chosen = [k for k, time in enumerate(rows["time [s]"]) if begin <= time <= end]
+    if len(chosen) < 2:
+        sys.exit(f"history.csv has fewer than two rows from {begin:g} to {end:g} s.")
     change = {name.split(" [")[0]: column[chosen[-1]] - column[chosen[0]] for name, column in rows.items()}
     travel = abs(change["ship.position_x"])
     found = {name: sign * sum(value for column, value in change.items() if re.fullmatch(pattern, column)) for name, sign, pattern in CONTRIBUTIONS}

@@ -6,32 +6,28 @@ of the ship is in the ice, the dominant period, the load peaks of measure.py, an
 """
 
 import csv
-import subprocess
 import sys
 from pathlib import Path
 
-from measure import bow_length, history, report_of, times_of_loads, travel_in_ice
+from measure import bow_length, report_of, times_of_loads, travel_in_ice
+
+sys.path.insert(0, str(Path(__file__).resolve().parent / "../../scripts/results"))
+from csv_reader import history  # noqa: E402
+from load_statistics import load_statistics  # noqa: E402
 
 HERE = Path(__file__).resolve().parent
-PERIMPACT = HERE / "../../build/release/perimpact"
 TABLE = HERE / "window.csv"
-
-
-def statistics(folder, begin):
-    """The row of statistics.csv of F_x on the ship from then on [s]."""
-    subprocess.run([PERIMPACT, "statistics", folder, "--from", f"{begin:.2f}", "--columns", "ship.force_x"], check=True, stdout=subprocess.DEVNULL)
-    with open(folder / "statistics.csv", newline="", encoding="utf-8") as lines:
-        (row,) = csv.DictReader(lines)
-    return row
 
 
 def measure(folder):
     """The rows of window.csv."""
     rows, hull = history(folder), report_of(folder)["setup"]["impactors"]["ship"]["surface"]["hull"]
     time, force, way = rows["time [s]"], rows["ship.force_x [N]"], travel_in_ice(rows)
+    if way[-1] <= bow_length(hull):
+        sys.exit(f"{folder} ends after {way[-1]:.1f} m, before the bow of {bow_length(hull):.1f} m is in the ice. Continue the run with --resume.")
     numbers = {"travel [m]": way[-1], "end [s]": time[-1]}
     for name, begin in (("whole", time[way > 0][0]), ("full breadth", time[way > bow_length(hull)][0])):
-        found, late = statistics(folder, begin), time >= begin
+        found, late = load_statistics(folder, "ship.force_x", f"{begin:.2f}"), time >= begin
         peaks = times_of_loads(time[late], force[late])
         numbers |= {
             f"{name}, from [s]": begin,

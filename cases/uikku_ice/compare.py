@@ -8,7 +8,6 @@ ship over the last SAMPLE metres of travel, with the standard error of block ave
 import csv
 import json
 import re
-import subprocess
 import sys
 from pathlib import Path
 
@@ -17,8 +16,8 @@ from resistance import iso_19906, lindqvist, riska
 
 sys.path.insert(0, str(HERE / "../../scripts/results"))
 from csv_reader import history  # noqa: E402
+from load_statistics import load_statistics  # noqa: E402
 
-PERIMPACT = HERE / "../../build/release/perimpact"
 RESULTS = HERE / "results.csv"
 
 
@@ -44,8 +43,7 @@ def measure(folder):
     end = begin + SAMPLE / speed
     if last < end - 0.01 * SAMPLE / speed:
         sys.exit(f"{folder} ends at {last:.1f} s, but the sample of test {number} is from {begin:.1f} to {end:.1f} s. Continue it with --resume.")
-    subprocess.run([PERIMPACT, "statistics", folder, "--from", str(begin), "--to", str(end), "--columns", "ship.force_x"], check=True, stdout=subprocess.DEVNULL)
-    (force,) = records(folder / "statistics.csv")
+    force = load_statistics(folder, "ship.force_x", begin, end)
     return {
         "test": number, "from [s]": f"{begin:.2f}", "to [s]": f"{min(end, last):.2f}", "mean F_x [N]": force["mean"], "standard error [N]": force["standard_error"],
         "standard error is a lower bound": force["standard_error_is_bound"], "standard deviation [N]": force["standard_deviation"],

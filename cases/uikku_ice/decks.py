@@ -20,7 +20,7 @@ UIKKU = ShipInIce(length=150, beam=21.3, draft=9.5, stem=30, waterline=21, paral
 LAYERS = 3
 ASTERN = 39.0  # [m] of ice behind the stem, the length of the bow
 APPROACH = 1.5  # [m/s] while the bow makes its channel, which takes one second more for the change to the speed of the test
-STEP = 0.5  # over spacing/√(E/ρ), with ρ of the scaled mass; `perimpact check` accepts up to 0.504 for these decks
+STEP = 0.5  # over spacing/√(E/ρ), with ρ of the scaled mass; `perimpact check` accepts up to 0.55 for these decks
 DISPLACEMENT = 21655  # [t] of the panels of this hull, by `perimpact shape hull`, in water of 1025 kg/m3
 RIM_DAMPING = 6.0  # over the natural frequency of heave of the sheet, at its edge: the layer along the edges that absorbs bending waves
 TRAVEL = 46.0  # [m] at the speed of the test, with the whole breadth in the ice
