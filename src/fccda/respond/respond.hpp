@@ -17,6 +17,8 @@
 /// and shifts x̄ accordingly, so that eq. 8 still applies. If the surface obstructs this shift (another panel of a concave region, the
 /// opposite wall of a gap), the point slides along it (SlidingSurface) and its velocity changes by the remaining shift. As a projection of
 /// the unobstructed change, friction never exceeds Coulomb's limit and never accelerates sliding.
+///
+/// Points may have material that the body crushes (crushing.hpp): they are then relocated to a smaller distance from the surface than their contact radius.
 #pragma once
 
 #include <algorithm>
@@ -28,6 +30,7 @@
 #include "base/finite.hpp"
 #include "base/parallel.hpp"
 #include "fccda/detect/contact.hpp"
+#include "fccda/respond/crushing.hpp"
 #include "fccda/rigid_body/rigid_body.hpp"
 
 namespace fccda {
@@ -54,9 +57,17 @@ concept PointsInContact = requires(P& points, std::size_t i, Vec3d vector) {
   points.set(i, vector, vector);                         // position at t1 and velocity after contact
 };
 
+/// Points of individual radii (PointsOfOwnRadius) whose material is crushed. After crush() the radius of the point is smaller by that depth.
+template <class P>
+concept CrushablePoints = PointsInContact<P> && requires(P& points, std::size_t i, double depth) {
+  { points.crushing(i) } -> std::convertible_to<Crushing>;
+  points.crush(i, depth);  // [m], after set()
+};
+
 /// Position at t1 and velocity of a point after contact.
 struct Resolved {
   Vec3d position, velocity;  ///< [m], [m/s]
+  double crushed = 0;        ///< [m] depth
 };
 
 /// Position reached on the way from `from` to `wanted` along the surface, at `pose` [m]: `wanted` unless the surface obstructs the point.
@@ -65,10 +76,10 @@ inline Vec3d slid(const Contact& contact, const Pose& pose, const Vec3d& from, c
 }
 
 /// Response of one point: relocation and friction. `pose`: of the surface at t1; `surface_velocity(x)` [m/s]: mean over the step of the surface's
-/// material point that is at x at t1.
-template <class SurfaceVelocity>
-Resolved resolved(const Contact& contact, const Vec3d& position_t0, const Vec3d& velocity, const Pose& pose, double dt, double friction,
-                  const SurfaceVelocity& surface_velocity) {
+/// material point that is at x at t1. `limit`: of the normal velocity change, Crushed(double push).
+template <class SurfaceVelocity, class Limit>
+Resolved resolved(Contact contact, const Vec3d& position_t0, const Vec3d& velocity, const Pose& pose, double dt, double friction,
+                  const SurfaceVelocity& surface_velocity, const Limit& limit) {
   Resolved after{contact.relocation, (contact.relocation - position_t0) / dt};
   if (const double along = dot(contact.normal_t0, contact.normal); along > 0) {
     constexpr double straight = 1e-12;  // smaller rotations are rounding
@@ -79,8 +90,15 @@ Resolved resolved(const Contact& contact, const Vec3d& position_t0, const Vec3d&
       after.velocity = (after.position - position_t0) / dt;
     }
   }
+  double pushed = std::max(0.0, dot(after.velocity - velocity, contact.normal));  // J_n/m
+  if (const Crushed less = limit(pushed); less.depth > 0) {
+    after.velocity = velocity + (less.push / pushed) * (after.velocity - velocity);
+    after.position = position_t0 + dt * after.velocity;
+    after.crushed = less.depth;
+    pushed = less.push;
+    contact.radius = std::max(0.0, contact.radius - less.depth);
+  }
   if (friction == 0) return after;
-  const double pushed = std::max(0.0, dot(after.velocity - velocity, contact.normal));  // J_n/m
   const Vec3d relative = after.velocity - surface_velocity(after.position);
   const Vec3d sliding = relative - dot(relative, contact.normal) * contact.normal;
   const double speed = norm(sliding);
@@ -96,9 +114,28 @@ Resolved resolved(const Contact& contact, const Vec3d& position_t0, const Vec3d&
   return after;
 }
 
+/// The same for material that is not crushed.
+template <class SurfaceVelocity>
+Resolved resolved(const Contact& contact, const Vec3d& position_t0, const Vec3d& velocity, const Pose& pose, double dt, double friction,
+                  const SurfaceVelocity& surface_velocity) {
+  return resolved(contact, position_t0, velocity, pose, dt, friction, surface_velocity, [](double push) { return Crushed{push, 0}; });
+}
+
 /// The same for a rigid body.
 inline Resolved resolved(const Contact& contact, const Vec3d& position_t0, const Vec3d& velocity, const Motion& motion, double friction) {
   return resolved(contact, position_t0, velocity, motion.t1, motion.dt, friction, [&](const Vec3d& x) { return mean_velocity(motion, x); });
+}
+
+/// The same for one of the points, whose material may be crushed.
+template <PointsInContact P>
+Resolved resolved(const Contact& contact, P& points, const Motion& motion, double friction) {
+  const std::size_t i = contact.point;
+  if constexpr (CrushablePoints<P>)
+    return resolved(
+        contact, points.position_t0(i), points.velocity(i), motion.t1, motion.dt, friction, [&](const Vec3d& x) { return mean_velocity(motion, x); },
+        [&](double push) { return crushed(points.crushing(i), push, points.mass(i), motion.dt); });
+  else
+    return resolved(contact, points.position_t0(i), points.velocity(i), motion, friction);
 }
 
 /// Point of application of a contact impulse [m]: end of its lever arm from the centre of mass at t1. `position`: of the point after contact.
@@ -117,10 +154,7 @@ template <PointsInContact P, class Report>
 ContactSum resolve_points(P& points, std::span<const Contact> contacts, const Motion& motion, const Vec3d& centre_of_mass, double friction, Report&& report) {
   expect_friction(friction);
   std::vector<Resolved> all(contacts.size());
-  const auto resolve = [&](std::size_t k) {
-    const std::size_t i = contacts[k].point;
-    all[k] = resolved(contacts[k], points.position_t0(i), points.velocity(i), motion, friction);
-  };
+  const auto resolve = [&](std::size_t k) { all[k] = resolved(contacts[k], points, motion, friction); };
   if (contacts.size() < contacts_worth_threads)
     for (std::size_t k = 0; k < contacts.size(); ++k) resolve(k);
   else
@@ -139,6 +173,8 @@ ContactSum resolve_points(P& points, std::span<const Contact> contacts, const Mo
   for (std::size_t k = 0; k < contacts.size(); ++k) {
     const Vec3d impulse = impulse_of(k);
     points.set(contacts[k].point, all[k].position, all[k].velocity);
+    if constexpr (CrushablePoints<P>)
+      if (all[k].crushed > 0) points.crush(contacts[k].point, all[k].crushed);
     report(contacts[k], impulse);
   }
   return sum;

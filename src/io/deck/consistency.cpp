@@ -144,6 +144,13 @@ void check_contact(Setup& setup, const Places& places) {
            fmt::format("variant is {}, but only the published detector has variants, and detector is {}; remove variant, or set detector: published.",
                        contact.variant.word(), contact.detector.word()));
   }
+  if (contact.crushing_pressure && detector != DetectorKind::swept)
+    refuse(places.of(path + "crushing_pressure"),
+           fmt::format("crushing_pressure changes the contact radius of particles, which detector {} keeps; remove it, or set detector: swept.",
+                       contact.detector.word()));
+  if (contact.crushing_pressure && contact.radius_ratio == 0)
+    refuse(places.of(path + "crushing_pressure"),
+           "crushing_pressure acts on the material between a particle's centre and its face, but radius_ratio is 0; remove one of the two.");
   if (detector != DetectorKind::analytic) return;
   for (const ImpactorSetup& impactor : setup.impactors) {
     if (!std::holds_alternative<CylinderSurface>(impactor.surface) && !std::holds_alternative<SphereSurface>(impactor.surface))

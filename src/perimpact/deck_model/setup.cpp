@@ -122,31 +122,36 @@ std::span<const Field<MovingWindowSetup>> MovingWindowSetup::fields() {
 
 std::span<const Field<ImpactorContactSetup>> ImpactorContactSetup::fields() {
   using S = ImpactorContactSetup;
-  static const Field<S> all[] = {{"detector",
-                                  &S::detector,
-                                  "",
-                                  {},
-                                  optional,
-                                  "swept (continuous collision detection; never misses), published (panel test of Zhang et al.) or analytic (distance to the "
-                                  "centre; sphere and cylinder only)."},
-                                 {"variant",
-                                  &S::variant,
-                                  "",
-                                  {},
-                                  optional,
-                                  "Variant of the published detector: corrected, or literal (as printed in the paper). The other detectors do not use it."},
-                                 {"friction", &S::friction, "1", at_least(0), optional,
-                                  "Coulomb friction coefficient between particles and impactors. The published detector requires 0."},
-                                 {"radius_ratio", &S::radius_ratio, "1", between(0, 1), optional,
-                                  "Contact radius over the particle spacing: a particle is in contact at this distance from the surface. 0.5 places contact at "
-                                  "the edge of the material, 0 at the particle centres as in the FCCDA paper. The published detector requires 0, its default."},
-                                 {"initial_overlap",
-                                  &S::initial_overlap,
-                                  "",
-                                  {},
-                                  optional,
-                                  "Treatment of particles that are inside an impactor at t = 0, or nearer to it than the contact radius: error; remove (they "
-                                  "are left out and the body has a hole there); project (they are moved onto the surface and their bonds start strained)."}};
+  static const Field<S> all[] = {
+      {"detector",
+       &S::detector,
+       "",
+       {},
+       optional,
+       "swept (continuous collision detection; never misses), published (panel test of Zhang et al.) or analytic (distance to the "
+       "centre; sphere and cylinder only)."},
+      {"variant",
+       &S::variant,
+       "",
+       {},
+       optional,
+       "Variant of the published detector: corrected, or literal (as printed in the paper). The other detectors do not use it."},
+      {"friction", &S::friction, "1", at_least(0), optional,
+       "Coulomb friction coefficient between particles and impactors. The published detector requires 0."},
+      {"radius_ratio", &S::radius_ratio, "1", between(0, 1), optional,
+       "Contact radius over the particle spacing: a particle is in contact at this distance from the surface. 0.5 places contact at "
+       "the edge of the material, 0 at the particle centres as in the FCCDA paper. The published detector requires 0, its default."},
+      {"crushing_pressure", &S::crushing_pressure, "Pa", positive(), optional,
+       "Pressure at which impactors crush the material between a particle's centre and its face, such as the compressive strength of "
+       "ice: the normal force on a particle grows with the crushed depth, up to this pressure on its face, and contact is rigid once the "
+       "particle is crushed to its centre. Rigid contact from the beginning where absent."},
+      {"initial_overlap",
+       &S::initial_overlap,
+       "",
+       {},
+       optional,
+       "Treatment of particles that are inside an impactor at t = 0, or nearer to it than the contact radius: error; remove (they "
+       "are left out and the body has a hole there); project (they are moved onto the surface and their bonds start strained)."}};
   return all;
 }
 

@@ -284,7 +284,8 @@ struct ImpactorContactSetup {
   Choice detector{detector_words};
   Choice variant{variant_words};  ///< of the published detector
   double friction = 0;
-  double radius_ratio = 0.5;  ///< contact radius in spacings
+  double radius_ratio = 0.5;                ///< contact radius in spacings
+  std::optional<double> crushing_pressure;  ///< [Pa]
   Choice initial_overlap{initial_overlap_words};
   static std::span<const Field<ImpactorContactSetup>> fields();
 };

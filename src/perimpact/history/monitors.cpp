@@ -246,6 +246,9 @@ void Monitors::add_impactor(const Impactor& impactor) {
   add_mean(name, {"moment", "N m", interval_mean, "of contact on it about its centre of mass"}, account.angular_impulse);
   add(name, {"contacts", "-", instantaneous, "particles in contact in the last step"}, static_cast<double>(account.contacts));
   add(name, {"contact_work", "J", cumulative, "done on it by contact"}, impactor.contact_work());
+  if (impactor.crushes())
+    add(name, {"crushing_dissipation", "J", cumulative, "dissipated by crushing particles, a part of total.contact_dissipation"},
+        impactor.crushing_dissipation());
   if (const DeformingPart* part = impactor.deforming()) add_structure_columns(name, *part);
   if (impactor.water()) {
     add_mean(name, {"water_force_z", "N", interval_mean, "of weight, buoyancy and their damping"}, account.water_impulse);

@@ -8,6 +8,8 @@
 #include <utility>
 #include <vector>
 
+#include "fccda/respond/crushing.hpp"
+#include "perimpact/deck_model/setup.hpp"
 #include "perimpact/particles/advance.hpp"
 #include "perimpact/particles/particles.hpp"
 
@@ -20,8 +22,13 @@ class ContactParticles {
   using Fetch = std::function<void(std::span<const std::uint32_t> slots)>;
 
   /// `travel`: of advance() for this step. `fetch`: of particles on a device; empty for others.
-  ContactParticles(Particles& particles, std::span<const double> travel, double dt, Fetch fetch = {})
-      : particles_(particles), travel_(travel), dt_(dt), fetch_(std::move(fetch)) {}
+  ContactParticles(Particles& particles, const ImpactorContactSetup& contact, std::span<const double> travel, double dt, Fetch fetch = {})
+      : particles_(particles),
+        radius_(contact.radius_ratio * particles.spacing()),
+        crushing_pressure_(contact.crushing_pressure.value_or(0)),
+        travel_(travel),
+        dt_(dt),
+        fetch_(std::move(fetch)) {}
 
   bool is_remote() const { return static_cast<bool>(fetch_); }
   void fetch(std::span<const std::size_t> slots) const { fetch_(std::vector<std::uint32_t>(slots.begin(), slots.end())); }
@@ -32,6 +39,14 @@ class ContactParticles {
   Vec3d position_t0(std::size_t slot) const { return particles_.position.at(slot) - dt_ * particles_.velocity.at(slot); }
   Vec3d velocity(std::size_t slot) const { return particles_.velocity.at(slot); }
   double mass(std::size_t slot) const { return particles_.mass(slot); }
+  double largest_radius() const { return radius_; }
+  double radius(std::size_t slot) const { return radius_ - crushed(slot); }
+  /// The face of the particle is reached where it is crushed to its centre.
+  fccda::Crushing crushing(std::size_t slot) const {
+    if (particles_.crushed.empty()) return {};
+    const double face = particles_.volume(slot) / particles_.spacing();
+    return {.stiffness = crushing_pressure_ * face / radius_, .depth = crushed(slot), .left = radius(slot)};
+  }
   /// Slot in the lattice of the whole body, which ranks share.
   std::size_t whole_slot(std::size_t slot) const { return particles_.share().whole_slot(slot); }
   /// [J] work of an impulse [N s] that led to the current velocity, paired with the mean of this velocity and that of the previous step. It
@@ -48,11 +63,13 @@ class ContactParticles {
 
   /// Particles of a plane body stay in the plane: surfaces in contact are prismatic (in_plane.hpp); rounding along z is discarded.
   void set(std::size_t slot, Vec3d position, Vec3d velocity) {
-    before_.push_back({slot, particles_.position.at(slot), particles_.velocity.at(slot)});
+    before_.push_back({slot, particles_.position.at(slot), particles_.velocity.at(slot), crushed(slot)});
     if (particles_.is_plane()) position.z = particles_.position.at(slot).z, velocity.z = particles_.velocity.at(slot).z;
     particles_.position.set(slot, position);
     particles_.velocity.set(slot, velocity);
   }
+
+  void crush(std::size_t slot, double depth) { particles_.crushed[slot] = std::min(particles_.crushed[slot] + depth, radius_); }
 
   /// Slots that differ from before contact, since the latest undo(); in the order of the changes, perhaps repeatedly.
   std::vector<std::uint32_t> changed() const {
@@ -67,6 +84,7 @@ class ContactParticles {
     for (auto set = before_.rbegin(); set != before_.rend(); ++set) {
       particles_.position.set(set->slot, set->position);
       particles_.velocity.set(set->slot, set->velocity);
+      if (!particles_.crushed.empty()) particles_.crushed[set->slot] = set->crushed;
       visit(set->slot);
     }
     before_.clear();
@@ -76,9 +94,14 @@ class ContactParticles {
   struct Before {
     std::size_t slot;
     Vec3d position, velocity;
+    double crushed;  // [m]
   };
 
+  double crushed(std::size_t slot) const { return particles_.crushed.empty() ? 0 : particles_.crushed[slot]; }
+
   Particles& particles_;
+  double radius_;             // [m] of particles that are not crushed
+  double crushing_pressure_;  // [Pa]
   std::span<const double> travel_;
   double dt_;
   Fetch fetch_;

@@ -90,6 +90,7 @@ Impactor::Impactor(const ImpactorSetup& setup, const ImpactorContactSetup& conta
       body_(std::make_unique<RigidBody>(rigid_body_of(setup, *surface_, prescribed_))),
       radius_(surface_->radius_about(body_->properties().centre_of_mass)),
       friction_(contact.friction),
+      crushes_(contact.crushing_pressure.has_value()),
       unresolved_(bodies.size()),
       coupling_(*body_),
       is_coupled_(contact.detector.as<DetectorKind>() != DetectorKind::published),
@@ -212,7 +213,9 @@ std::span<const Contact> Impactor::respond_to_contacts(std::size_t body, Contact
     const std::size_t slot = contact.point;
     ContactImpulse contact_impulse{body, contact, impulse, slot};
     contact_impulse.contact.point = particles.whole_slot(slot);
-    pending_.push_back({contact_impulse, place, particles.work_of(slot, -impulse), particles.mass(slot)});
+    const double depth = contact.radius - particles.radius(slot);  // the force of what is crushed hardly depends on the motion
+    const double crushing = crushes_ ? -dot(impulse, contact.normal) * depth / motion_.dt : 0;
+    pending_.push_back({contact_impulse, place, particles.work_of(slot, -impulse), crushes_ && depth > 0 ? 0 : particles.mass(slot), crushing});
   });
   return contacts_;
 }
@@ -226,7 +229,7 @@ std::span<const Contact> Impactor::respond_to_deforming_contacts(std::size_t bod
     particles.set(i, after.point.position, after.point.velocity);
     ContactImpulse contact_impulse{body, contact, after.on_surface, i};
     contact_impulse.contact.point = particles.whole_slot(i);
-    pending_.push_back({contact_impulse, after.point.position, particles.work_of(i, -after.on_surface), mass});
+    pending_.push_back({contact_impulse, after.point.position, particles.work_of(i, -after.on_surface), mass, 0});
     pending_on_panels_.push_back({body, {contact_impulse.contact, deforming.place}, after, mass});
     contacts_.push_back(contact);
   }
@@ -288,6 +291,7 @@ void Impactor::finish_step() {
     for (NamedGauge& named : gauges_) named.gauge.add(pending.contact_impulse.contact, pending.place, pending.contact_impulse.impulse, motion_);
     record_.add(pending.contact_impulse.body, pending.contact_impulse.contact, pending.contact_impulse.impulse);
     work_on_particles_ += pending.work_on_particle;
+    crushing_dissipation_ += pending.crushing;
     last_step_.contact_impulses.push_back(pending.contact_impulse);
   }
   count_in_contact();
@@ -371,6 +375,8 @@ void Impactor::expect_deformable() const {
     throw SetupError(key, fmt::format("impactor {} deforms, so that its mesh cannot be coarsened or refined; its vertices carry the modes.", name_));
   if (!std::holds_alternative<Unbounded>(region_.region))
     throw SetupError(key + ".contact_bounds", fmt::format("impactor {} deforms, which excludes contact bounds; remove them.", name_));
+  if (crushes_)
+    throw SetupError("contact.impactors.crushing_pressure", fmt::format("impactor {} deforms, which excludes crushing_pressure; remove it.", name_));
   if (water_) throw SetupError(key + ".floating", fmt::format("impactor {} deforms, which excludes floating; remove one of them.", name_));
 }
 

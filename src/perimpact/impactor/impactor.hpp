@@ -169,11 +169,13 @@ class Impactor {
   bool coasts() const { return prescribed_.is_empty() && loads_.empty() && !water_; }
   /// Cumulative: steps in which its motion and its impulses did not agree within a tenth after all passes.
   std::int64_t unconverged_steps() const { return unconverged_steps_; }
-  double constraint_work() const { return body_->constraint_work(); }  ///< [J] cumulative, of constraints and prescribed motion
-  double load_work() const { return load_work_; }                      ///< [J] cumulative, of applied loads
-  double contact_work() const { return contact_work_; }                ///< [J] cumulative, on the impactor by contact
-  double work_on_particles() const { return work_on_particles_; }      ///< [J] cumulative, on particles in contact (docs/theory/energy.md)
-  double water_work() const { return water_work_; }                    ///< [J] cumulative, of weight, buoyancy and their damping
+  double constraint_work() const { return body_->constraint_work(); }    ///< [J] cumulative, of constraints and prescribed motion
+  double load_work() const { return load_work_; }                        ///< [J] cumulative, of applied loads
+  double contact_work() const { return contact_work_; }                  ///< [J] cumulative, on the impactor by contact
+  bool crushes() const { return crushes_; }                              ///< the material of particles in contact
+  double crushing_dissipation() const { return crushing_dissipation_; }  ///< [J] cumulative, force times depth of what is crushed; part of that of contact
+  double work_on_particles() const { return work_on_particles_; }        ///< [J] cumulative, on particles in contact (docs/theory/energy.md)
+  double water_work() const { return water_work_; }                      ///< [J] cumulative, of weight, buoyancy and their damping
 
   const std::optional<fccda::StillWater>& water() const { return water_; }
   fccda::Hydrostatics hydrostatics() const { return fccda::hydrostatics(*body_, *surface_, *water_); }  ///< current; requires water
@@ -216,6 +218,7 @@ class Impactor {
     account("work_of_contact", contact_work_);
     account("unconverged_steps", unconverged_steps_);
     account("work_on_particles", work_on_particles_);
+    if (crushes_) account("crushing_dissipation", crushing_dissipation_);
     if (water_) {
       account("water_impulse", account_.water_impulse);
       fccda::visit_vector(account, "water_angular_impulse", account_.water_angular_impulse);
@@ -232,7 +235,8 @@ class Impactor {
     ContactImpulse contact_impulse;
     Vec3d place;              // [m] where it acts
     double work_on_particle;  // [J]
-    double mass;              // [kg] of the particle
+    double mass;              // [kg] of the particle; 0 if the force does not depend on the motion of the impactor
+    double crushing;          // [J] dissipated
   };
   /// What the structure of a deforming surface receives of such a contact; its particle is numbered on the lattice of the whole body.
   struct PendingOnPanel {
@@ -262,6 +266,7 @@ class Impactor {
   std::unique_ptr<DeformingPart> deforming_;  // if its surface deforms
   double radius_;                             // [m] of all vertices about the centre of mass
   double friction_;
+  bool crushes_;                            // the material of particles in contact
   std::vector<fccda::Detector> detectors_;  // one per body, for the surface as long as it is not deformed
   fccda::Motion motion_;
   std::vector<fccda::Contact> contacts_;           // of the latest detection
@@ -277,8 +282,8 @@ class Impactor {
   std::vector<NamedGauge> gauges_;
   std::optional<fccda::StillWater> water_;
   std::optional<PlacedInWater> placed_in_water_;
-  double load_work_ = 0, water_work_ = 0;            // [J]
-  double contact_work_ = 0, work_on_particles_ = 0;  // [J]
+  double load_work_ = 0, water_work_ = 0;                                       // [J]
+  double contact_work_ = 0, work_on_particles_ = 0, crushing_dissipation_ = 0;  // [J]
   std::int64_t unconverged_steps_ = 0;
   ContactRecord record_;
 };

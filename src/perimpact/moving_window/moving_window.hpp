@@ -65,7 +65,9 @@ class MovingWindow {
   int cells_from_front(const Particles& particles, std::size_t slot, long moves) const;  // with this direction of the moves
 
   std::string name_;
-  std::size_t body_, impactor_, axis_;
+  std::size_t body_;
+  ImpactorContactSetup contact_;
+  std::size_t impactor_, axis_;
   double start_after_, length_of_move_;  // [m]
   double start_;                         // [m] initial position of the impactor
   long moves_ = 0;

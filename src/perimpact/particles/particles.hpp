@@ -107,12 +107,16 @@ class Particles {
   VectorArray velocity;       ///< [m/s] v at mid-step (symplectic Euler)
   VectorArray force_density;  ///< [N/m³] sum of all forces at `position`
 
+  /// [m] by slot: depth to which impactors have crushed the particle, by which its contact radius is smaller; empty where they do not crush it.
+  std::vector<double> crushed;
+
   template <class Visitor>
   void visit_state(const std::string& name, Visitor&& visit) {
     constexpr const char* axis[] = {"_x", "_y", "_z"};
     for (std::size_t c = 0; c < 3; ++c) visit(name + ".position" + axis[c], std::span<double>(position.component(c), slots_));
     for (std::size_t c = 0; c < 3; ++c) visit(name + ".velocity" + axis[c], std::span<double>(velocity.component(c), slots_));
     for (std::size_t c = 0; c < 3; ++c) visit(name + ".force_density" + axis[c], std::span<double>(force_density.component(c), slots_));
+    if (!crushed.empty()) visit(name + ".crushed", std::span(crushed));
   }
 
  private:

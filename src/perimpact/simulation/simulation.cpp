@@ -109,6 +109,10 @@ struct ImpactorOnBody {
   void moved(std::size_t particle) { impactor.moved(body, particle); }
 };
 
+void make_crushable(Particles& particles, const ImpactorContactSetup& contact) {
+  if (contact.crushing_pressure) particles.crushed.assign(particles.slots(), 0);
+}
+
 }  // namespace
 
 Simulation::Simulation(const Setup& setup, fccda::Stages::Announce announce, Ranks& ranks, std::span<const MeasuredLoad> loads, const Processor& processor)
@@ -131,7 +135,10 @@ Simulation::Simulation(const Setup& setup, Start start, std::vector<UserForceOnB
       windows_(moving_windows_of(setup, bodies_, impactors_)),
       load_steps_(std::clamp(std::lround(std::min(response_time(setup, bodies_) / clock_.dt, 1e9)), 1L, clock_.steps)),
       monitors_(output_of(setup, clock_.dt), bodies_, clock_) {
-  for (const Body& body : bodies_) travel_.emplace_back(travel_blocks(body.particles), 0.0);
+  for (Body& body : bodies_) {
+    travel_.emplace_back(travel_blocks(body.particles), 0.0);
+    make_crushable(body.particles, setup.contact.impactors);
+  }
   expect_solid_bodies(bodies_, impactors_);
   use_scalar_kernels();
   copy_to_device();
@@ -250,6 +257,7 @@ void Simulation::rebuild(const MovingWindow& window) {
   boundary_conditions_[b] =
       BoundaryConditions(setup_.bodies[b], elastic_of(setup_.bodies[b]), body.particles,
                          [&](const std::string& set, const std::string& key) { return slots_in(set, setup_.bodies[b], body.particles, key); });
+  make_crushable(body.particles, setup_.contact.impactors);
   body.particles.move_lattice(window.first());  // after what is chosen by position: it belongs to slots
   bodies_[b] = body;
   if (fragments_) fragments_ = short_range_of(setup_, bodies_);
@@ -280,7 +288,7 @@ void Simulation::resolve_impactor_contact() {
   for (std::size_t b = 0; b < bodies_.size(); ++b) {
     ContactParticles::Fetch fetch;
     if (OnDevice* const device = on_device(b)) fetch = [device](std::span<const std::uint32_t> slots) { device->body.to_host(slots); };
-    particles.emplace_back(bodies_[b].particles, travel_[b], clock_.dt, std::move(fetch));
+    particles.emplace_back(bodies_[b].particles, setup_.contact.impactors, travel_[b], clock_.dt, std::move(fetch));
   }
   std::vector<std::vector<std::size_t>> unresolved(bodies_.size());  // of each impactor
   // The motion of impactors depends on their contact impulses (docs/theory/contact_response.md, "One velocity"), hence the passes.

@@ -52,23 +52,23 @@ std::vector<Impactor> place(const Setup& setup, std::vector<ImpactorSurface> sur
 }
 
 /// Slots of the body currently inside the impactor, by a step of zero duration.
-std::vector<std::size_t> inside_now(const Impactor& impactor, std::size_t body, Particles& particles) {
-  return impactor.initial_overlap(body, ContactParticles(particles, {}, 0));
+std::vector<std::size_t> inside_now(const Impactor& impactor, std::size_t body, Particles& particles, const ImpactorContactSetup& contact) {
+  return impactor.initial_overlap(body, ContactParticles(particles, contact, {}, 0));
 }
 
 /// Calls visit(impactor, body, slots of this rank, their number on all ranks) for each pair that overlaps on any rank.
 template <class Visit>
-void for_each_inside(Start& start, const Visit& visit) {
+void for_each_inside(Start& start, const ImpactorContactSetup& contact, const Visit& visit) {
   for (std::size_t i = 0; i < start.impactors.size(); ++i)
     for (std::size_t b = 0; b < start.particles.size(); ++b) {
-      std::vector<std::size_t> slots = inside_now(start.impactors[i], b, start.particles[b]);
+      std::vector<std::size_t> slots = inside_now(start.impactors[i], b, start.particles[b], contact);
       const auto all = static_cast<std::size_t>(start.ranks->sum(static_cast<std::int64_t>(slots.size())));
       if (all > 0) visit(i, b, std::move(slots), all);
     }
 }
 
 void refuse(Start& start, const Setup& setup) {
-  for_each_inside(start, [&](std::size_t i, std::size_t b, const std::vector<std::size_t>&, std::size_t all) {
+  for_each_inside(start, setup.contact.impactors, [&](std::size_t i, std::size_t b, const std::vector<std::size_t>&, std::size_t all) {
     const std::string& impactor = setup.impactors[i].name;
     throw SetupError("impactors." + impactor + ".position",
                      fmt::format("impactor {} starts inside body {}: {} particles are inside its surface, or nearer to it than the contact radius. Move it "
@@ -78,7 +78,7 @@ void refuse(Start& start, const Setup& setup) {
 }
 
 void remove(Start& start, const Setup& setup) {
-  for_each_inside(start, [&](std::size_t i, std::size_t b, std::vector<std::size_t> slots, std::size_t all) {
+  for_each_inside(start, setup.contact.impactors, [&](std::size_t i, std::size_t b, std::vector<std::size_t> slots, std::size_t all) {
     if (all == start.particles[b].size_of_body())
       throw SetupError("impactors." + setup.impactors[i].name + ".position",
                        fmt::format("all remaining particles of body {} are inside impactor {}, so that initial_overlap: remove leaves nothing of it. Move the "
@@ -93,7 +93,7 @@ void remove(Start& start, const Setup& setup) {
 void project(Start& start, const Setup& setup) {
   constexpr int most_rounds = 4;
   for (int round = 0; round < most_rounds; ++round)
-    for_each_inside(start, [&](std::size_t i, std::size_t b, const std::vector<std::size_t>& slots, std::size_t) {
+    for_each_inside(start, setup.contact.impactors, [&](std::size_t i, std::size_t b, const std::vector<std::size_t>& slots, std::size_t) {
       Particles& particles = start.particles[b];
       std::vector<Vec3d> places;
       for (const std::size_t slot : slots) places.push_back(particles.position.at(slot));
@@ -115,7 +115,7 @@ void project(Start& start, const Setup& setup) {
     entry.furthest = start.ranks->max(entry.furthest);
     entry.particles = static_cast<std::size_t>(start.ranks->sum(static_cast<std::int64_t>(entry.slots.size())));
   }
-  for_each_inside(start, [&](std::size_t i, std::size_t b, const std::vector<std::size_t>&, std::size_t all) {
+  for_each_inside(start, setup.contact.impactors, [&](std::size_t i, std::size_t b, const std::vector<std::size_t>&, std::size_t all) {
     throw SetupError("impactors." + setup.impactors[i].name + ".position",
                      fmt::format("{} particles of body {} that start inside impactor {} cannot be projected onto its surface, because no position near them is "
                                  "outside all impactors. Set initial_overlap: remove, or move the impactor away.",

@@ -132,6 +132,15 @@ TEST_CASE("consistency: the published detector treats particles as points withou
                    "variant is literal, but only the published detector has variants, and detector is swept; remove variant, or set detector: published."});
 }
 
+TEST_CASE("consistency: crushing in contact requires the swept detector and a contact radius") {
+  CHECK(read(plate_with("radius_ratio: 0.5", "crushing_pressure: 2 MPa")).setup.contact.impactors.crushing_pressure == 2e6);
+  CHECK(!read(plate_with("radius_ratio: 0.5", "radius_ratio: 0.5")).setup.contact.impactors.crushing_pressure);
+  check_complaint({"radius_ratio: 0.5", "radius_ratio: 0, crushing_pressure: 2 MPa", "2 MPa",
+                   "crushing_pressure acts on the material between a particle's centre and its face, but radius_ratio is 0; remove one of the two."});
+  check_complaint({"detector: swept", "detector: analytic, crushing_pressure: 2 MPa", "2 MPa",
+                   "crushing_pressure changes the contact radius of particles, which detector analytic keeps; remove it, or set detector: swept."});
+}
+
 TEST_CASE("consistency: parameters of short-range contact require a law") {
   check_complaint({"{law: none}", "{law: none, friction: 0.1}", "0.1}\noutput",
                    "friction is 0.1, but law is none, so there is no short-range contact; set law: repulsive, or remove friction."});

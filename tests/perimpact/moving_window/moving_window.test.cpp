@@ -85,10 +85,12 @@ TEST_CASE("moving window: where nothing from its ends can have arrived, a window
   for (const Model model : {Model::bond_based, Model::ordinary_state}) {
     // the sheet is struck, and then the window moves by eight cells; a step carries rounding over three cells, and over six with dilatations
     const int steps = model == Model::bond_based ? 18 : 14, margin = added + steps * (model == Model::bond_based ? 3 : 6), cells = 256;
-    Setup with_window = struck(cells, 0, model, steps);
+    Setup with_window = struck(cells, 0, model, steps), of_whole = struck(cells + added, -0.5 * added * spacing, model, steps);
     with_window.bodies[0].moving_window = window_after(0);
-    Simulation window(with_window), whole(struck(cells + added, -0.5 * added * spacing, model, steps));
+    with_window.contact.impactors.crushing_pressure = of_whole.contact.impactors.crushing_pressure = 1e9;
+    Simulation window(with_window), whole(of_whole);
     fixtures::run(window), fixtures::run(whole);
+    CHECK(std::ranges::max(window.bodies()[0].particles.crushed) > 0.1 * 0.5 * spacing);
     CAPTURE(static_cast<int>(model));
     REQUIRE(window.bodies()[0].particles.lattice()->first[0] == -added);
     CHECK(window.bodies()[0].internal.broken_bonds() > 0);
@@ -299,7 +301,8 @@ TEST_CASE("moving window: energy that leaves with discarded material is recorded
   CHECK(error_of(with) < 1.5 * error_of(without));
 }
 
-TEST_CASE("moving window: a restart after every step is bitwise exact, with rubble, moving water, an absorbing end and ice that yields") {
+TEST_CASE(
+    "moving window: a restart after every step is bitwise exact, with rubble, moving water, an absorbing end, ice that yields and is crushed by the ball") {
   Setup setup = struck(40, 0, Model::bond_based, 32);
   std::get<BondBasedSetup>(setup.bodies[0].material).plasticity = PlasticitySetup{.compressive_strength = 2e7};
   setup.bodies[0].particle_sets = {{.name = "end", .shape = BoxSolid{{6 * spacing, 1, 1}}, .position = {-20 * spacing, 0, 0}},
@@ -310,8 +313,10 @@ TEST_CASE("moving window: a restart after every step is bitwise exact, with rubb
   behind.particle_set = "rear", behind.face = Choice{face_words, 0}, behind.reflection = 0.01;
   setup.bodies[0].boundary_conditions = {{"sea", water}, {"ahead", FixedSetup{.particle_set = "end", .directions = {"x", "y"}}}, {"behind", behind}};
   setup.bodies[0].moving_window = window_after(0);
+  setup.contact.impactors.crushing_pressure = 2e9;
   Simulation simulation(setup);
   fixtures::run(simulation);
+  CHECK(fixtures::value(simulation, "ball.crushing_dissipation [J]") > 0);
   CHECK(std::fabs(fixtures::value(simulation, "body.behind.work [J]")) > 0);
   CHECK(fixtures::value(simulation, "body.broken_bonds [-]") > 0);
   CHECK(fixtures::value(simulation, "body.plastic_dissipation [J]") > 0);

@@ -77,6 +77,16 @@ TEST_CASE("restart: a restart after every step is bitwise exact") {
   fixtures::expect_same_when_resumed_at_every_step(setup);
 }
 
+TEST_CASE("restart: likewise with material that impactors crush") {
+  const ::fixtures::TemporaryFolder folder;
+  Setup setup = lively(folder);
+  setup.contact.impactors.crushing_pressure = 1e9;
+  Simulation simulation(setup);
+  fixtures::run(simulation);
+  for (const Body& body : simulation.bodies()) CHECK(std::ranges::max(body.particles.crushed) > 0);
+  fixtures::expect_same_when_resumed_at_every_step(setup);
+}
+
 TEST_CASE("restart: likewise with the published and the analytic detector") {
   const ::fixtures::TemporaryFolder folder;
   for (const DetectorKind kind : {DetectorKind::published, DetectorKind::analytic}) {

@@ -130,7 +130,8 @@ TEST_CASE("start: after projection out of two overlapping balls, no particle is 
   Start start(setup);
   for (const InitialPenetration& inside : start.inside) CHECK(inside.slots.size() > 10);
   CHECK(start.inside.size() == 2);
-  for (const Impactor& impactor : start.impactors) CHECK(impactor.initial_overlap(0, ContactParticles(start.particles[0], {}, 0)).empty());
+  for (const Impactor& impactor : start.impactors)
+    CHECK(impactor.initial_overlap(0, ContactParticles(start.particles[0], setup.contact.impactors, {}, 0)).empty());
 }
 
 TEST_CASE("start: an impactor that contains the whole body leaves no particles to keep, and particles between two faces cannot be projected") {
