@@ -65,7 +65,7 @@ Motion Coupling::advance(RigidBody& body, double dt) {
   return motion_;
 }
 
-void Coupling::add(const Contact& contact, double mass, const Vec3d& place, const Vec3d& impulse, double friction) {
+void Coupling::add(const Contact& contact, double mass, const Vec3d& place, const Vec3d& impulse, double friction, double rigidity) {
   found_.linear += impulse;
   const Vec3d arm = place - centre_of_mass_;
   found_.angular += cross(arm, impulse);
@@ -76,7 +76,8 @@ void Coupling::add(const Contact& contact, double mass, const Vec3d& place, cons
     Vector6 unit{};
     unit[c] = 1;
     const Vec3d change = first(unit) + cross(second(unit), arm);
-    const Vec3d force = sticks ? mass * change : (mass * dot(n, change)) * along, moment = cross(arm, force);
+    const double normal = dot(n, change);
+    const Vec3d force = sticks ? mass * (change - ((1 - rigidity) * normal) * n) : (mass * (rigidity * normal)) * along, moment = cross(arm, force);
     for (std::size_t r = 0; r < 3; ++r) stiffness_[r][c] += force[r], stiffness_[3 + r][c] += moment[r];
   }
 }

@@ -51,8 +51,9 @@ class Coupling {
   /// Starts with the contact-free motion. Leaves the body at t1.
   Motion advance(RigidBody& body, double dt);
 
-  /// Adds the impulse [N s] of one contact of this pass; `place`: its point of application (point_of_application).
-  void add(const Contact& contact, double mass, const Vec3d& place, const Vec3d& impulse, double friction);
+  /// Adds the impulse [N s] of one contact of this pass; `place`: its point of application (point_of_application). `rigidity`: change of the normal impulse
+  /// with the motion, over that of rigid contact (`Crushing::rigidity`).
+  void add(const Contact& contact, double mass, const Vec3d& place, const Vec3d& impulse, double friction, double rigidity = 1);
 
   /// Returns whether the iteration has converged: assumed and computed impulse agree to the fraction `share` of the velocity change that the impulse
   /// causes. `radius` [m] of the surface about the centre of mass.

@@ -15,15 +15,22 @@ namespace fccda {
 struct Crushing {
   double stiffness = 0;  ///< [N/m] k
   double depth = 0;      ///< [m] d before the step
-  double left = 0;       ///< [m] material that is not crushed yet; the contact radius
+  double left = 0;       ///< [m] that may still be crushed
+
+  /// Change of the impulse with the motion of the body, over that of rigid contact. `mass` [kg] of the point.
+  double rigidity(double mass, double dt) const {
+    const double share = stiffness * dt * dt / mass;
+    return share / (1 + share);
+  }
 };
 
-/// Change of the normal velocity of a point [m/s], and the depth crushed meanwhile [m].
+/// What a step does to it.
 struct Crushed {
-  double push, depth;
+  double push;   ///< [m/s] change of the velocity of the point, by the impulse
+  double depth;  ///< [m] crushed
 };
 
-/// `push` [m/s]: the change due to rigid contact, positive out of the surface. `mass` [kg] of the point.
+/// `push` [m/s]: the change due to rigid contact, at least 0. `mass` [kg] of the point.
 inline Crushed crushed(const Crushing& material, double push, double mass, double dt) {
   const double rate = material.stiffness * dt / mass;  // [1/s]
   const double resisted = rate * (material.depth + push * dt) / (1 + rate * dt);

@@ -76,7 +76,7 @@ inline Vec3d slid(const Contact& contact, const Pose& pose, const Vec3d& from, c
 }
 
 /// Response of one point: relocation and friction. `pose`: of the surface at t1; `surface_velocity(x)` [m/s]: mean over the step of the surface's
-/// material point that is at x at t1. `limit`: of the normal velocity change, Crushed(double push).
+/// material point that is at x at t1. `limit(push)`: Crushed, for a velocity change of `push` in rigid contact.
 template <class SurfaceVelocity, class Limit>
 Resolved resolved(Contact contact, const Vec3d& position_t0, const Vec3d& velocity, const Pose& pose, double dt, double friction,
                   const SurfaceVelocity& surface_velocity, const Limit& limit) {
@@ -90,12 +90,15 @@ Resolved resolved(Contact contact, const Vec3d& position_t0, const Vec3d& veloci
       after.velocity = (after.position - position_t0) / dt;
     }
   }
-  double pushed = std::max(0.0, dot(after.velocity - velocity, contact.normal));  // J_n/m
-  if (const Crushed less = limit(pushed); less.depth > 0) {
-    after.velocity = velocity + (less.push / pushed) * (after.velocity - velocity);
+  const Vec3d change = after.velocity - velocity;
+  double pushed = std::max(0.0, dot(change, contact.normal));  // J_n/m
+  // The whole relocation is shortened, by the depth: in a corner the point then remains clear of all walls by what is left of the radius.
+  if (const Crushed less = limit(norm(change)); less.depth > 0) {
+    const double share = less.push / norm(change);
+    after.velocity = velocity + share * change;
     after.position = position_t0 + dt * after.velocity;
     after.crushed = less.depth;
-    pushed = less.push;
+    pushed *= share;
     contact.radius = std::max(0.0, contact.radius - less.depth);
   }
   if (friction == 0) return after;
@@ -103,11 +106,11 @@ Resolved resolved(Contact contact, const Vec3d& position_t0, const Vec3d& veloci
   const Vec3d sliding = relative - dot(relative, contact.normal) * contact.normal;
   const double speed = norm(sliding);
   if (speed == 0) return after;
-  const Vec3d change = (std::min(friction * pushed, speed) / speed) * sliding;
-  const Vec3d wanted = after.position - dt * change;
+  const Vec3d braked = (std::min(friction * pushed, speed) / speed) * sliding;
+  const Vec3d wanted = after.position - dt * braked;
   const Vec3d place = slid(contact, pose, after.position, wanted);
   if (place == wanted)
-    after.velocity -= change;
+    after.velocity -= braked;
   else
     after.velocity = (place - position_t0) / dt;
   after.position = place;

@@ -41,11 +41,12 @@ class ContactParticles {
   double mass(std::size_t slot) const { return particles_.mass(slot); }
   double largest_radius() const { return radius_; }
   double radius(std::size_t slot) const { return radius_ - crushed(slot); }
-  /// The face of the particle is reached where it is crushed to its centre.
+  /// The pressure acts on the face of the particle where it is crushed to its centre. A small ball is left, since points slide less exactly over edges.
   fccda::Crushing crushing(std::size_t slot) const {
     if (particles_.crushed.empty()) return {};
+    constexpr double never_crushed = 1e-3;
     const double face = particles_.volume(slot) / particles_.spacing();
-    return {.stiffness = crushing_pressure_ * face / radius_, .depth = crushed(slot), .left = radius(slot)};
+    return {.stiffness = crushing_pressure_ * face / radius_, .depth = crushed(slot), .left = std::max(0.0, radius(slot) - never_crushed * radius_)};
   }
   /// Slot in the lattice of the whole body, which ranks share.
   std::size_t whole_slot(std::size_t slot) const { return particles_.share().whole_slot(slot); }
@@ -69,7 +70,7 @@ class ContactParticles {
     particles_.velocity.set(slot, velocity);
   }
 
-  void crush(std::size_t slot, double depth) { particles_.crushed[slot] = std::min(particles_.crushed[slot] + depth, radius_); }
+  void crush(std::size_t slot, double depth) { particles_.crushed[slot] += depth; }
 
   /// Slots that differ from before contact, since the latest undo(); in the order of the changes, perhaps repeatedly.
   std::vector<std::uint32_t> changed() const {

@@ -98,6 +98,11 @@ Impactor::Impactor(const ImpactorSetup& setup, const ImpactorContactSetup& conta
       water_(water_of(setup)),
       placed_in_water_(how_placed(water_, *body_, *surface_)),
       record_(*surface_, spacings_of(bodies)) {
+  if (crushes_ && !surface_->is_closed())
+    throw SetupError("contact.impactors.crushing_pressure",
+                     fmt::format("impactor {} has an open surface, which excludes crushing_pressure; close it, or remove "
+                                 "crushing_pressure.",
+                                 name_));
   SharedSurface shared;
   for (const Particles* particles : bodies) detectors_.push_back(make_detector(setup, contact, surface_, shared, region_.region, particles->spacing()));
   if (setup.elastic) make_elastic(modes_of(setup, *surface_));
@@ -213,11 +218,21 @@ std::span<const Contact> Impactor::respond_to_contacts(std::size_t body, Contact
     const std::size_t slot = contact.point;
     ContactImpulse contact_impulse{body, contact, impulse, slot};
     contact_impulse.contact.point = particles.whole_slot(slot);
-    const double depth = contact.radius - particles.radius(slot);  // the force of what is crushed hardly depends on the motion
-    const double crushing = crushes_ ? -dot(impulse, contact.normal) * depth / motion_.dt : 0;
-    pending_.push_back({contact_impulse, place, particles.work_of(slot, -impulse), crushes_ && depth > 0 ? 0 : particles.mass(slot), crushing});
+    pending_.push_back({contact_impulse, place, particles.work_of(slot, -impulse), particles.mass(slot)});
+    if (crushes_) add_crushing(particles, slot, pending_.back());
   });
   return contacts_;
+}
+
+/// After the response: the particle has been crushed by the difference of its radii.
+void Impactor::add_crushing(const ContactParticles& particles, std::size_t slot, Pending& pending) const {
+  const Contact& contact = pending.contact_impulse.contact;
+  const double depth = contact.radius - particles.radius(slot);
+  if (!(depth > 0)) return;
+  const fccda::Crushing material = particles.crushing(slot);
+  const double force = -dot(pending.contact_impulse.impulse, contact.normal) / motion_.dt;
+  pending.crushing = std::min(force, material.stiffness * material.depth) * depth;
+  if (material.left > 0) pending.rigidity = material.rigidity(pending.mass, motion_.dt);  // else contact has become rigid within the step
 }
 
 std::span<const Contact> Impactor::respond_to_deforming_contacts(std::size_t body, ContactParticles& particles) {
@@ -229,7 +244,7 @@ std::span<const Contact> Impactor::respond_to_deforming_contacts(std::size_t bod
     particles.set(i, after.point.position, after.point.velocity);
     ContactImpulse contact_impulse{body, contact, after.on_surface, i};
     contact_impulse.contact.point = particles.whole_slot(i);
-    pending_.push_back({contact_impulse, after.point.position, particles.work_of(i, -after.on_surface), mass, 0});
+    pending_.push_back({contact_impulse, after.point.position, particles.work_of(i, -after.on_surface), mass});
     pending_on_panels_.push_back({body, {contact_impulse.contact, deforming.place}, after, mass});
     contacts_.push_back(contact);
   }
@@ -252,7 +267,7 @@ void Impactor::collect_contacts(Ranks& ranks) {
   const auto body_and_slot = [](const Pending& one) { return std::pair(one.contact_impulse.body, one.contact_impulse.contact.point); };
   std::ranges::stable_sort(pending_, {}, body_and_slot);
   if (deforming_) return collect_panel_contacts(ranks);
-  for (const Pending& one : pending_) coupling_.add(one.contact_impulse.contact, one.mass, one.place, one.contact_impulse.impulse, friction_);
+  for (const Pending& one : pending_) coupling_.add(one.contact_impulse.contact, one.mass, one.place, one.contact_impulse.impulse, friction_, one.rigidity);
 }
 
 void Impactor::collect_panel_contacts(Ranks& ranks) {

@@ -235,8 +235,9 @@ class Impactor {
     ContactImpulse contact_impulse;
     Vec3d place;              // [m] where it acts
     double work_on_particle;  // [J]
-    double mass;              // [kg] of the particle; 0 if the force does not depend on the motion of the impactor
-    double crushing;          // [J] dissipated
+    double mass;              // [kg] of the particle
+    double rigidity = 1;      // of its contact (Coupling::add)
+    double crushing = 0;      // [J] dissipated
   };
   /// What the structure of a deforming surface receives of such a contact; its particle is numbered on the lattice of the whole body.
   struct PendingOnPanel {
@@ -246,6 +247,7 @@ class Impactor {
     double mass;  // [kg] of the particle
   };
 
+  void add_crushing(const ContactParticles& particles, std::size_t slot, Pending& pending) const;
   std::span<const fccda::Contact> respond_to_contacts(std::size_t body, ContactParticles& particles);
   std::span<const fccda::Contact> respond_to_deforming_contacts(std::size_t body, ContactParticles& particles);
   void collect_panel_contacts(Ranks& ranks);

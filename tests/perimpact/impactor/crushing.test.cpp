@@ -10,6 +10,7 @@
 #include <utility>
 #include <vector>
 
+#include "fixtures/temporary_folder.hpp"
 #include "fixtures/tolerance.hpp"
 #include "perimpact/bodies.hpp"
 #include "perimpact/simulations.hpp"
@@ -53,7 +54,6 @@ TEST_CASE("crushing: the force of a slow box grows with the crushed depth to the
   constexpr double speed = 2;  // [m/s]
   Simulation simulation(pressed(at_speeds({0, 0.9e-3 * radius / 0.001 / speed}, {-speed, -speed})));
   int compared = 0;
-  double forces_of_rows = 0;
   while (!simulation.clock().is_finished()) {
     simulation.step();
     if (!simulation.monitors().is_due(simulation.clock())) continue;
@@ -62,10 +62,9 @@ TEST_CASE("crushing: the force of a slow box grows with the crushed depth to the
     if (depth < 0.1 * radius) continue;
     // the block yields elastically by force/(E edge) = 4e-5 of its height, some 1e-3 of the depth, and vibrates after first contact
     CHECK(force == relative(pressure * face * depth / radius, 0.01));
-    ++compared, forces_of_rows += force;
+    ++compared;
   }
   CHECK(compared > 20);
-  CHECK(forces_of_rows > 0);
 }
 
 TEST_CASE("crushing: what it dissipates is force times depth, and the energy balance closes") {
@@ -104,7 +103,7 @@ TEST_CASE("crushing: a box that withdraws and returns meets what is left, and co
   for (const std::uint32_t slot : simulation.bodies()[0].particles.slot_of()) {
     const double crushed = simulation.bodies()[0].particles.crushed[slot];
     const bool is_top = simulation.bodies()[0].particles.reference(slot).z > 1.2 * spacing;
-    CHECK(crushed == fixtures::absolute(is_top ? radius : 0, 1e-9 * radius, "m"));
+    CHECK(crushed == fixtures::absolute(is_top ? 0.999 * radius : 0, 1e-9 * radius, "m"));
   }
 }
 
@@ -140,6 +139,46 @@ TEST_CASE("crushing: a free ball and a free block exchange momentum to rounding,
   CHECK(fixtures::value(simulation, "box.velocity_z [m/s]") > -2.9);
 }
 
+TEST_CASE("crushing: in a concave corner the force on a particle does not exceed the pressure on its face, and no wall is passed") {
+  // an L closes on an edge of the block, one wall twice as fast as the other; corner at the origin, material at x > 0 or y > 0
+  const ::fixtures::TemporaryFolder folder;
+  std::string file;
+  for (const char* z : {"-0.02", "0.02"})
+    for (const char* place : {"0 -0.02", "0.01 -0.02", "0.01 0.01", "-0.02 0.01", "-0.02 0", "0 0"}) file += std::string("v ") + place + " " + z + "\n";
+  file += "f 7 8 9 12\nf 12 9 10 11\nf 6 3 2 1\nf 5 4 3 6\nf 1 2 8 7\nf 2 3 9 8\nf 3 4 10 9\nf 4 5 11 10\nf 5 6 12 11\nf 6 1 7 12\n";
+  ::fixtures::put(folder / "corner.obj", file);
+  Setup setup = pressed(at_speeds({0, 0.7 * radius / 2}, {0, 0}));
+  const double edge = across * spacing, at = edge / 2 + 1e-3 * radius;
+  setup.bodies[0].particle_sets = {{.name = "base", .shape = BoxSolid{{0.5 * edge, 0.5 * edge, 1}}, .position = {-0.25 * edge, -0.25 * edge, 0}}};
+  ImpactorSetup& corner = setup.impactors[0];
+  corner.surface = FileSurface{.file = (folder / "corner.obj").string()};
+  corner.motion = {}, corner.position = {at, at, 0}, corner.velocity = {-2, -1, 0};
+  Simulation simulation(setup);
+  double largest = 0;
+  while (!simulation.clock().is_finished()) {
+    simulation.step();
+    for (const ContactImpulse& one : simulation.impactors()[0].last_step().contact_impulses)
+      largest = std::max(largest, norm(one.impulse) / simulation.clock().dt);
+  }
+  CHECK(simulation.impactors()[0].unresolved(0).count == 0);
+  CHECK(simulation.impactors()[0]
+            .initial_overlap(0, ContactParticles(const_cast<Particles&>(simulation.bodies()[0].particles), setup.contact.impactors, {}, 0))
+            .empty());
+  CHECK(largest > 0.5 * pressure * spacing * spacing);
+  CHECK(largest < 1.01 * pressure * spacing * spacing);
+}
+
+TEST_CASE("crushing: an open surface is refused with the reason") {
+  Setup setup = pressed(at_speeds({0, 4e-4}, {0, 0}));
+  const ::fixtures::TemporaryFolder folder;
+  ::fixtures::put(folder / "sheet.obj", "v -1 -1 0\nv 1 -1 0\nv 1 1 0\nv -1 1 0\nf 1 2 3 4\n");
+  setup.impactors[0].surface =
+      FileSurface{.file = (folder / "sheet.obj").string(), .orientation = Choice{open_side_words, static_cast<int>(fccda::Orientation::normals)}};
+  setup.impactors[0].inertia = Vec3d{1, 1, 1};
+  CHECK(fixtures::complaint(setup) ==
+        "contact.impactors.crushing_pressure: impactor box has an open surface, which excludes crushing_pressure; close it, or remove crushing_pressure.");
+}
+
 TEST_CASE("crushing: an impactor that deforms is refused with the reason") {
   const Setup setup = pressed(at_speeds({0, 4e-4}, {0, 0}));
   Impactor impactor(setup.impactors[0], setup.contact.impactors, {});
@@ -163,6 +202,7 @@ TEST_CASE("crushing: a particle is never pushed more than by rigid contact, nor 
         CHECK(found.depth <= left);
         // momentum and way agree: what is not pushed is crushed
         CHECK(found.depth == fixtures::absolute((push - found.push) * dt, 1e-12, "m"));
-        if (found.depth > 0 && found.depth < left) CHECK(mass * found.push == fixtures::absolute(stiffness * (depth + found.depth) * dt, 1e-9 * mass * push, "N s"));
+        if (found.depth > 0 && found.depth < left)
+          CHECK(mass * found.push == fixtures::absolute(stiffness * (depth + found.depth) * dt, 1e-9 * mass * push, "N s"));
       }
 }
