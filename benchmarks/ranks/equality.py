@@ -52,7 +52,7 @@ DECKS = {
     "plate": (*plate(300), False),
     "kalthoff": ("kalthoff_winkler/deck.yaml", PLATE | {"bodies.plate.shape.box.size": "[202 mm, 100 mm, 8 mm]", "time.end": "72 us", "output.history_interval": "1.8 us",
                                                         "output.frames": 4}, True),
-    "ship, with fragments and water": ("ship_ice/deck.yaml", {"bodies.sheet.spacing": 2 / 3, "time.step": "0.29 ms", "time.end": "0.7 s", "output.history_interval": "2.9 ms",
+    "ship, with fragments and water": ("ship_ice/deck.yaml", {"time.end": "1 s", "output.history_interval": "2.35 ms",
                                                               "output.frames": 4}, True),
     "propeller": ("propeller_ice/deck.yaml", PROPELLER | {"output.frames": 4}, True),
     "correspondence": (*plate(300, {"bodies.plate.material.model": "correspondence"}, TOUGH), True),

@@ -13,18 +13,20 @@ from pathlib import Path
 sys.path.insert(0, str(Path(__file__).resolve().parent / "../../scripts/results"))
 from csv_reader import history  # noqa: E402
 
-CONTRIBUTIONS = (  # docs/theory/energy.md; the columns of a body are summed over all bodies; sign: of energy that the ice gains
-    ("plastic strain of the ice", 1, r".*\.plastic_dissipation"),
-    ("fracture", 1, r".*\.fracture_energy"),
-    ("friction between fragments", 1, r"total\.(friction|dashpot)_dissipation"),
-    ("compaction of fragments", 1, r"total\.compaction_dissipation"),
-    ("friction and inelastic contact of the hull", 1, r"total\.contact_dissipation"),
-    ("weight and buoyancy", -1, r".*\.weight_buoyancy_work"),
-    ("drag and damping by the water", -1, r".*\.drag_work"),
-    ("waves that leave through absorbing edges", -1, r".*\.waves_\w+\.work"),
-    ("elastic and kinetic energy of the ice", 1, r"(?!ship\b).*\.(elastic|kinetic|contact)_energy"),
-    ("energy that leaves with ice behind the window", 1, r"total\.discarded_energy"),
-)
+CRUSHING = r".*\.crushing_dissipation"
+CONTRIBUTIONS = {  # docs/theory/energy.md; the columns of a body are summed over all bodies; sign: of energy that the ice gains
+    "plastic strain of the ice": {r".*\.plastic_dissipation": 1},
+    "fracture": {r".*\.fracture_energy": 1},
+    "friction between fragments": {r"total\.(friction|dashpot)_dissipation": 1},
+    "compaction of fragments": {r"total\.compaction_dissipation": 1},
+    "crushing in contact with the hull": {CRUSHING: 1},
+    "friction and inelastic contact of the hull": {r"total\.contact_dissipation": 1, CRUSHING: -1},
+    "weight and buoyancy": {r".*\.weight_buoyancy_work": -1},
+    "drag and damping by the water": {r".*\.drag_work": -1},
+    "waves that leave through absorbing edges": {r".*\.waves_\w+\.work": -1},
+    "elastic and kinetic energy of the ice": {r"(?!ship\b).*\.(elastic|kinetic|contact)_energy": 1},
+    "energy that leaves with ice behind the window": {r"total\.discarded_energy": 1},
+}
 
 
 def contributions(rows, begin, end):
@@ -34,8 +36,12 @@ def contributions(rows, begin, end):
         sys.exit(f"history.csv has fewer than two rows from {begin:g} to {end:g} s.")
     change = {name.split(" [")[0]: column[chosen[-1]] - column[chosen[0]] for name, column in rows.items()}
     travel = abs(change["ship.position_x"])
-    found = {name: sign * sum(value for column, value in change.items() if re.fullmatch(pattern, column)) for name, sign, pattern in CONTRIBUTIONS}
-    return {name: value / travel / 1e3 for name, value in found.items()}, -change["ship.contact_work"] / travel / 1e3, travel
+
+    def sum_of(patterns):
+        return sum(sign * value for pattern, sign in patterns.items() for column, value in change.items() if re.fullmatch(pattern, column))
+
+    found = {name: sum_of(patterns) / travel / 1e3 for name, patterns in CONTRIBUTIONS.items()}
+    return found, -change["ship.contact_work"] / travel / 1e3, travel
 
 
 def main():

@@ -1,7 +1,7 @@
 #!/usr/bin/python3
 """Draws the figures of README.md: figures.py [RESULTS] [--of DECK] [--check FOLDER]
 
-RESULTS: folder of a finished run (default: results/ship_ice). --of: its deck, deck (default), paper or window, at the paper's four instants, wide or six_layers.
+RESULTS: folder of a finished run (default: results/ship_ice). --of: its deck: deck (default); paper, window or window_rigid (with rigid contact), at the paper's four instants.
 --check: folder with the surfaces and contact bounds written by `perimpact check`; then only the bow and its contact bounds are drawn.
 """
 
@@ -65,7 +65,7 @@ def draw_bow(folder, file):
 def main():
     arguments = argparse.ArgumentParser(description=__doc__.splitlines()[0])
     arguments.add_argument("results", type=Path, nargs="?", default=Path("results/ship_ice"))
-    arguments.add_argument("--of", choices=("deck", "paper", "wide", "six_layers", "window"), default="deck")
+    arguments.add_argument("--of", choices=("deck", "paper", "window", "window_rigid"), default="deck")
     arguments.add_argument("--check", type=Path)
     given = arguments.parse_args()
     figures = HERE / "figures"
@@ -74,7 +74,7 @@ def main():
         draw_bow(given.check, figures / "bow.png")
         return
     end = series(given.results, "sheet")[-1][0]
-    times = PAPER_TIMES if given.of in ("paper", "window") else [share * end for share in (0.1, 0.4, 0.7, 1)]
+    times = PAPER_TIMES if given.of != "deck" else [share * end for share in (0.1, 0.4, 0.7, 1)]
     prefix = "" if given.of == "deck" else f"{given.of}_"
     draw_scenes(given.results, times, figures / f"{prefix}scenes.png")
     draw_damage(given.results, times, figures / f"{prefix}damage.png")

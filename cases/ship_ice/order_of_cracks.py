@@ -19,13 +19,12 @@ from csv_reader import history  # noqa: E402
 from ship_in_ice import COLOURS, spacing_of  # noqa: E402
 from vtp_reader import picture_at  # noqa: E402
 
-SINCE_CONTACT = 0.9  # [s]
-VARIANTS = {  # folder: title, time [s] since contact
-    "ductile": ("flows, whole sheet", SINCE_CONTACT),
-    "top_layer_whole": ("flows, all but the top layer cut", SINCE_CONTACT),
-    "cut": ("flows, cut along the track", SINCE_CONTACT),
-    "crushing": ("is crushed, whole sheet", 2.1),
-}
+COLUMNS = (  # folder, title, time [s] since contact
+    ("deck", "deck.yaml", 0.9),
+    ("deck", "deck.yaml", 2.1),
+    ("cut", "cut along the track", 1.4),
+    ("rigid", "rigid contact", 2.1),
+)
 
 
 def first_contact(rows):
@@ -33,12 +32,12 @@ def first_contact(rows):
 
 
 def main(results):
-    figure, axes = plt.subplots(2, len(VARIANTS), figsize=(3.1 * len(VARIANTS), 4.0), sharex=True, sharey=True)
-    curves = []
-    for (upper, lower), (name, (title, since)) in zip(axes.T, VARIANTS.items()):
+    figure, axes = plt.subplots(2, len(COLUMNS), figsize=(3.1 * len(COLUMNS), 4.0), sharex=True, sharey=True)
+    curves = {}
+    for (upper, lower), (name, title, since) in zip(axes.T, COLUMNS):
         rows = history(results / name)
         start = first_contact(rows)
-        curves.append((title, rows["time [s]"] - start, rows["ship.bow.force_z [N]"] / 1e6))
+        curves[title] = rows["time [s]"] - start, rows["ship.bow.force_z [N]"] / 1e6
         at, sheet = picture_at(results / name, "sheet", start + since)
         reference = sheet.points - sheet.point["displacement"]
         spacing = spacing_of(sheet)
@@ -55,9 +54,9 @@ def main(results):
     figure.savefig(HERE / "figures/order_of_cracks.png", dpi=85, bbox_inches="tight")
 
     figure, axis = plt.subplots(figsize=(8, 3.2))
-    for title, time, force in curves:
+    for title, (time, force) in curves.items():
         axis.plot(time, force, label=title)
-    axis.set_xlim(0, None), axis.set_xlabel("time since contact [s]"), axis.set_ylabel("F_z on the bow [MN]")
+    axis.set_xlim(0, 4.5), axis.set_xlabel("time since contact [s]"), axis.set_ylabel("F_z on the bow [MN]")
     axis.legend(fontsize=8)
     figure.tight_layout()
     figure.savefig(HERE / "figures/order_of_cracks_forces.png", dpi=85)

@@ -142,7 +142,7 @@ impactors:
       bilge: {{surface_parts: [bilge]}}
 
 contact:
-  impactors: {{friction: {ship.friction:g}}}
+  impactors: {{friction: {ship.friction:g}, crushing_pressure: {test["compressive strength"]:g} MPa}}   # the compressive strength
   fragments: {{law: repulsive, stiffness_factor: 2, friction: 0.1}}
 
 output:

@@ -12,17 +12,17 @@ from claims import claim, main  # noqa: E402
 
 
 def short(t, *settings, folder="r"):
-    """The first second of a sheet of three layers, 20 m long."""
+    """The first 1.5 s of a sheet 20 m long, between fixed edges."""
     sheet = "bodies.sheet"
     fixed = [
         f"{sheet}.shape.box.size=[20 m, 36 m, 2 m]",
         f"{sheet}.position=[-10 m, 0, -0.7561 m]",
-        f"{sheet}.spacing=0.66666666666667 m",
-        f"{sheet}.particle_sets.far_end={{shape: {{box: {{size: [2.1 m, 36 m, 4 m]}}}}, position: [-8.95 m, 0, 0]}}",
-        f"{sheet}.particle_sets.port={{shape: {{box: {{size: [17.9 m, 2.1 m, 4 m]}}}}, position: [1.05 m, -16.95 m, 0]}}",
-        f"{sheet}.particle_sets.starboard={{shape: {{box: {{size: [17.9 m, 2.1 m, 4 m]}}}}, position: [1.05 m, 16.95 m, 0]}}",
-        "impactors.ship.surface.hull.bow_edge_length=3 m",
-        "time={end: 1 s, step: 0.23 ms}",
+        f"{sheet}.particle_sets={{far_end: {{shape: {{box: {{size: [1.4 m, 36 m, 4 m]}}}}, position: [-9.3 m, 0, 0]}}, "
+        "port: {shape: {box: {size: [18.6 m, 1.4 m, 4 m]}}, position: [0.7 m, -17.3 m, 0]}, starboard: {shape: {box: {size: [18.6 m, 1.4 m, 4 m]}}, position: [0.7 m, 17.3 m, 0]}}",
+        f"{sheet}.boundary_conditions={{sea: {{floating: {{level: 0}}}}, ahead: {{fixed: {{particle_set: far_end}}}}, left: {{fixed: {{particle_set: port}}}}, "
+        "right: {fixed: {particle_set: starboard}}}",
+        "impactors.ship.surface.hull.bow_edge_length=3 m", "impactors.ship.position=[0.25 m, 0, 0]",
+        "time={end: 1.5 s, step: 0.23 ms}",
         "output={frames: 2, history_interval: 0.02 s}",
     ]
     words = [word for setting in [*fixed, *settings] for word in ("--set", setting)]
@@ -35,15 +35,15 @@ def _(t):
     said = t.run_program("check", CASE / "paper.yaml", "--set", "time.step=3.76 ms")
     t.expect_complaint(said, 2, "--set time.step: the time step of 0.00376 s is", "times the critical time step of these bodies", "unstable")
     times = float(said.err.split("the time step of 0.00376 s is ")[1].split()[0])
-    # Of the infinite lattice it is 4.66 in the continuum's constants; the calibration of three layers makes bonds 1.687 times as stiff. Surface factors of
-    # a sheet whose layers are all at its surface make the body's own stiffest mode higher still: found 11.3 by Lanczos' method.
-    t.assertGreater(times, 4.66 * math.sqrt(1.687))
-    t.assertAlmostEqual(times, 11.3, delta=0.2)
+    # Of the infinite lattice it is 7.2 in the continuum's constants, by its dynamical matrix; the calibration of three layers makes bonds 1.32 times as stiff. Surface
+    # factors of a sheet whose layers are all at its surface make the body's own stiffest mode higher still: found 9.57 by Lanczos' method.
+    t.assertGreater(times, 7.2 * math.sqrt(1.32))
+    t.assertAlmostEqual(times, 9.57, delta=0.1)
 
 
 @claim("ship: no deck of the case is warned of")
 def _(t):
-    for deck in ("deck.yaml", "paper.yaml", "wide.yaml", "window.yaml"):
+    for deck in ("deck.yaml", "paper.yaml", "window.yaml"):
         t.expect_no_warning("check", CASE / deck, "--out", "checked")
 
 
@@ -113,7 +113,8 @@ def _(t):
     t.assertAlmostEqual(travel, 0.8 * 1.5433, delta=0.04)  # a row
     t.assertGreater(ship, 100)
     t.assertAlmostEqual(sum(parts.values()), ship, delta=0.01 * ship)  # kinetic energy of rows is that of interpolated velocities
-    t.assertGreater(parts["fracture"], 0.02 * ship)
+    t.assertGreater(parts["fracture"], 0.003 * ship)
+    t.assertGreater(parts["crushing in contact with the hull"], 0.02 * ship)
     t.assertGreater(parts["friction and inelastic contact of the hull"], 0.02 * ship)
 
 
