@@ -369,7 +369,7 @@ Setup some_setup(Random& random) {
   ImpactorContactSetup& contact = setup.contact.impactors;
   fill_fields(random, contact);
   if (contact.detector.as<DetectorKind>() == DetectorKind::published)
-    contact.radius_ratio = contact.friction = 0;
+    contact.radius_ratio = contact.friction = 0, contact.crushing_pressure.reset();
   else
     contact.detector = contact.variant = {detector_words}, contact.variant = Choice{variant_words};
   if (!relaxes) fill_fields(random, setup.contact.fragments);
