@@ -1,5 +1,6 @@
 #include "io/deck/setup_to_text.hpp"
 
+#include <algorithm>
 #include <random>
 
 #include "fixtures/temporary_folder.hpp"
