@@ -321,8 +321,8 @@ void fill_material(Random& random, BodySetup& body) {
         if (random() % 2 == 0) material.ice = IceSetup{.brine_volume = 0.1};  // determines nothing that the keys above do not
         FailureSetup& failure = body.failure.emplace();
         fill_fields(random, failure);
-        std::ranges::sort(failure.no_fail);
-        failure.no_fail.erase(std::ranges::unique(failure.no_fail).begin(), failure.no_fail.end());
+        std::sort(failure.no_fail.begin(), failure.no_fail.end());
+        failure.no_fail.erase(std::unique(failure.no_fail.begin(), failure.no_fail.end()), failure.no_fail.end());
         const bool is_limit = failure.compression.as<CompressionFailure>() == CompressionFailure::limit;
         if (is_limit != failure.critical_compression.has_value()) failure.compression.index = 0, failure.critical_compression.reset();
         if (failure.compression.index != 0) failure.compression_hardening = 0;
