@@ -70,15 +70,15 @@ struct Resolved {
   double crushed = 0;        ///< [m] depth
 };
 
-/// Position reached on the way from `from` to `wanted` along the surface, at `pose` [m]: `wanted` unless the surface obstructs the point.
-inline Vec3d slid(const Contact& contact, const Pose& pose, const Vec3d& from, const Vec3d& wanted) {
-  return contact.sliding ? contact.sliding->slide(pose, from, wanted, contact.radius) : wanted;
+/// Position reached on the way from `from` to `wanted` along the surface, at `pose` [m]: `wanted` unless the surface obstructs the point of that radius [m].
+inline Vec3d slid(const Contact& contact, const Pose& pose, const Vec3d& from, const Vec3d& wanted, double radius) {
+  return contact.sliding ? contact.sliding->slide(pose, from, wanted, radius) : wanted;
 }
 
 /// Response of one point: relocation and friction. `pose`: of the surface at t1; `surface_velocity(x)` [m/s]: mean over the step of the surface's
 /// material point that is at x at t1. `limit(push)`: Crushed, for a velocity change of `push` in rigid contact.
 template <class SurfaceVelocity, class Limit>
-Resolved resolved(Contact contact, const Vec3d& position_t0, const Vec3d& velocity, const Pose& pose, double dt, double friction,
+Resolved resolved(const Contact& contact, const Vec3d& position_t0, const Vec3d& velocity, const Pose& pose, double dt, double friction,
                   const SurfaceVelocity& surface_velocity, const Limit& limit) {
   Resolved after{contact.relocation, (contact.relocation - position_t0) / dt};
   if (const double along = dot(contact.normal_t0, contact.normal); along > 0) {
@@ -86,7 +86,7 @@ Resolved resolved(Contact contact, const Vec3d& position_t0, const Vec3d& veloci
     const Vec3d push = after.position - (position_t0 + dt * velocity);
     const Vec3d turn = (dot(push, contact.normal) / along) * contact.normal_t0 - push;
     if (norm(turn) > straight * norm(push)) {
-      after.position = slid(contact, pose, after.position, after.position + turn);
+      after.position = slid(contact, pose, after.position, after.position + turn, contact.radius);
       after.velocity = (after.position - position_t0) / dt;
     }
   }
@@ -99,7 +99,6 @@ Resolved resolved(Contact contact, const Vec3d& position_t0, const Vec3d& veloci
     after.position = position_t0 + dt * after.velocity;
     after.crushed = less.depth;
     pushed *= share;
-    contact.radius = std::max(0.0, contact.radius - less.depth);
   }
   if (friction == 0) return after;
   const Vec3d relative = after.velocity - surface_velocity(after.position);
@@ -108,7 +107,7 @@ Resolved resolved(Contact contact, const Vec3d& position_t0, const Vec3d& veloci
   if (speed == 0) return after;
   const Vec3d braked = (std::min(friction * pushed, speed) / speed) * sliding;
   const Vec3d wanted = after.position - dt * braked;
-  const Vec3d place = slid(contact, pose, after.position, wanted);
+  const Vec3d place = slid(contact, pose, after.position, wanted, std::max(0.0, contact.radius - after.crushed));
   if (place == wanted)
     after.velocity -= braked;
   else

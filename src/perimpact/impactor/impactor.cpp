@@ -100,9 +100,7 @@ Impactor::Impactor(const ImpactorSetup& setup, const ImpactorContactSetup& conta
       record_(*surface_, spacings_of(bodies)) {
   if (crushes_ && !surface_->is_closed())
     throw SetupError("contact.impactors.crushing_pressure",
-                     fmt::format("impactor {} has an open surface, which excludes crushing_pressure; close it, or remove "
-                                 "crushing_pressure.",
-                                 name_));
+                     fmt::format("impactor {} has an open surface, which excludes crushing_pressure; close it, or remove crushing_pressure.", name_));
   SharedSurface shared;
   for (const Particles* particles : bodies) detectors_.push_back(make_detector(setup, contact, surface_, shared, region_.region, particles->spacing()));
   if (setup.elastic) make_elastic(modes_of(setup, *surface_));

@@ -51,7 +51,7 @@ std::size_t impactor_of(const MovingWindowSetup& window, const std::string& key,
 }  // namespace
 
 MovingWindow::MovingWindow(const Setup& setup, std::size_t body, const Body& its, std::span<const Impactor> impactors)
-    : name_(its.name), body_(body), contact_(setup.contact.impactors), axis_(static_cast<std::size_t>(setup.bodies[body].moving_window->axis.index)) {
+    : name_(its.name), body_(body), axis_(static_cast<std::size_t>(setup.bodies[body].moving_window->axis.index)) {
   const MovingWindowSetup& window = *setup.bodies[body].moving_window;
   const std::string key = "bodies." + name_ + ".moving_window";
   impactor_ = impactor_of(window, key, impactors);
@@ -152,10 +152,10 @@ void MovingWindow::continue_front(Body& body, long moves) const {
   share.refresh(std::span<double* const>(arrays));
 }
 
-void MovingWindow::expect_clear(Body& body, std::span<const Impactor> impactors, long moves) const {
+void MovingWindow::expect_clear(Body& body, std::span<const Impactor> impactors, const ImpactorContactSetup& contact, long moves) const {
   const int added = std::abs(cells_of(moves)[axis_]);
   for (const Impactor& impactor : impactors) {
-    const std::vector<std::size_t> inside = impactor.initial_overlap(body_, ContactParticles(body.particles, contact_, {}, 0));
+    const std::vector<std::size_t> inside = impactor.initial_overlap(body_, ContactParticles(body.particles, contact, {}, 0));
     const auto here = std::ranges::count_if(inside, [&](std::size_t slot) { return cells_from_front(body.particles, slot, moves) < added; });
     const std::int64_t all = body.particles.share().ranks().sum(static_cast<std::int64_t>(here));
     if (all > 0)

@@ -41,7 +41,7 @@ class MovingWindow {
   /// undeformed and at rest where a whole layer is damaged, and everywhere if fewer than three cells of the window are left of a move. Collective.
   void continue_front(Body& body, long moves) const;
   /// To be called after a move: throws RunError if new material is inside an impactor, or nearer to it than the contact radius. Collective.
-  void expect_clear(Body& body, std::span<const Impactor> impactors, long moves) const;
+  void expect_clear(Body& body, std::span<const Impactor> impactors, const ImpactorContactSetup& contact, long moves) const;
   /// A warning if the material at the front was damaged in any move so far.
   std::vector<std::string> warnings() const;
 
@@ -65,9 +65,7 @@ class MovingWindow {
   int cells_from_front(const Particles& particles, std::size_t slot, long moves) const;  // with this direction of the moves
 
   std::string name_;
-  std::size_t body_;
-  ImpactorContactSetup contact_;
-  std::size_t impactor_, axis_;
+  std::size_t body_, impactor_, axis_;
   double start_after_, length_of_move_;  // [m]
   double start_;                         // [m] initial position of the impactor
   long moves_ = 0;

@@ -245,7 +245,7 @@ void Simulation::move_window(MovingWindow& window, long moves) {
   window.continue_front(bodies_[b], moves);
   boundary_conditions_[b].restart_potentials();
   for (Impactor& impactor : impactors_) impactor.forget_distances(b);
-  window.expect_clear(bodies_[b], impactors_, moves);
+  window.expect_clear(bodies_[b], impactors_, setup_.contact.impactors, moves);
   monitors_.renew_balance();
   copy_to_device();
 }

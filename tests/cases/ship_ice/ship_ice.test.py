@@ -7,25 +7,14 @@ from pathlib import Path
 
 ROOT = Path(__file__).resolve().parents[3]
 CASE = ROOT / "cases/ship_ice"
-sys.path[:0] = [str(ROOT / "tests/cli"), str(CASE), str(ROOT / "cases/uikku_ice")]
+sys.path[:0] = [str(ROOT / "tests/cli"), str(CASE), str(ROOT / "cases/uikku_ice"), str(ROOT / "validation")]
 from claims import claim, main  # noqa: E402
+from topics.ship import SHORT  # noqa: E402
 
 
 def short(t, *settings, folder="r"):
     """The first 1.5 s of a sheet 20 m long, between fixed edges."""
-    sheet = "bodies.sheet"
-    fixed = [
-        f"{sheet}.shape.box.size=[20 m, 36 m, 2 m]",
-        f"{sheet}.position=[-10 m, 0, -0.7561 m]",
-        f"{sheet}.particle_sets={{far_end: {{shape: {{box: {{size: [1.4 m, 36 m, 4 m]}}}}, position: [-9.3 m, 0, 0]}}, "
-        "port: {shape: {box: {size: [18.6 m, 1.4 m, 4 m]}}, position: [0.7 m, -17.3 m, 0]}, starboard: {shape: {box: {size: [18.6 m, 1.4 m, 4 m]}}, position: [0.7 m, 17.3 m, 0]}}",
-        f"{sheet}.boundary_conditions={{sea: {{floating: {{level: 0}}}}, ahead: {{fixed: {{particle_set: far_end}}}}, left: {{fixed: {{particle_set: port}}}}, "
-        "right: {fixed: {particle_set: starboard}}}",
-        "impactors.ship.surface.hull.bow_edge_length=3 m", "impactors.ship.position=[0.25 m, 0, 0]",
-        "time={end: 1.5 s, step: 0.23 ms}",
-        "output={frames: 2, history_interval: 0.02 s}",
-    ]
-    words = [word for setting in [*fixed, *settings] for word in ("--set", setting)]
+    words = [word for setting in [*SHORT, *settings] for word in ("--set", setting)]
     t.expect_success("run", CASE / "deck.yaml", "--out", folder, "--force", *words)
     return t.history(folder)
 
