@@ -1,6 +1,8 @@
 /// Small bodies for tests: every material, in space and in the plane, on a lattice, on the same points as a cloud, and on a shaken cloud.
 #pragma once
 
+#include <algorithm>
+#include <cstdint>
 #include <random>
 #include <string>
 #include <vector>
@@ -169,6 +171,11 @@ inline std::vector<NamedOptions> every_body(const Vec3d& size = {0.010, 0.007, 0
               {.poissons_ratio = 0.3, .model = Model::correspondence, .law = law, .stabilisation = stabilisation});
     }
   return all;
+}
+
+/// Number of particles that impactors have crushed wholly.
+inline std::size_t count_crushed(const Particles& particles) {
+  return static_cast<std::size_t>(std::ranges::count_if(particles.slot_of(), [&](std::uint32_t slot) { return particles.crushed.is_crushed(slot); }));
 }
 
 }  // namespace fixtures

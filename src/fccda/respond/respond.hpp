@@ -18,7 +18,7 @@
 /// opposite wall of a gap), the point slides along it (SlidingSurface) and its velocity changes by the remaining shift. As a projection of
 /// the unobstructed change, friction never exceeds Coulomb's limit and never accelerates sliding.
 ///
-/// Points may have material that the body crushes (crushing.hpp): they are then relocated to a smaller distance from the surface than their contact radius.
+/// Points may have material that the body crushes (crushing.hpp): they are then relocated by less, and the ball that is left of them is smaller.
 #pragma once
 
 #include <algorithm>
@@ -57,17 +57,20 @@ concept PointsInContact = requires(P& points, std::size_t i, Vec3d vector) {
   points.set(i, vector, vector);                         // position at t1 and velocity after contact
 };
 
-/// Points of individual radii (PointsOfOwnRadius) whose material is crushed. After crush() the radius of the point is smaller by that depth.
+/// Points of individual radii (PointsOfOwnRadius) whose material is crushed. Their positions are those of the ball that is left of it, `offset` from the
+/// point to which its mass belongs. crush() shortens the radius by half of the depth, and shifts the ball by as much along `direction`, of unit length.
 template <class P>
-concept CrushablePoints = PointsInContact<P> && requires(P& points, std::size_t i, double depth) {
+concept CrushablePoints = PointsInContact<P> && requires(P& points, std::size_t i, double depth, Vec3d direction) {
   { points.crushing(i) } -> std::convertible_to<Crushing>;
-  points.crush(i, depth);  // [m], after set()
+  { points.offset(i) } -> std::convertible_to<Vec3d>;  // [m]
+  points.crush(i, depth, direction);                   // [m], after set()
 };
 
 /// Position at t1 and velocity of a point after contact.
 struct Resolved {
   Vec3d position, velocity;  ///< [m], [m/s]
   double crushed = 0;        ///< [m] depth
+  Vec3d direction{};         ///< of unit length, in which it was crushed
 };
 
 /// Position reached on the way from `from` to `wanted` along the surface, at `pose` [m]: `wanted` unless the surface obstructs the point of that radius [m].
@@ -92,12 +95,17 @@ Resolved resolved(const Contact& contact, const Vec3d& position_t0, const Vec3d&
   }
   const Vec3d change = after.velocity - velocity;
   double pushed = std::max(0.0, dot(change, contact.normal));  // J_n/m
-  // The whole relocation is shortened, by the depth: in a corner the point then remains clear of all walls by what is left of the radius.
+  Vec3d shift{};                                               // [m] of the ball by crushing
+  double radius = contact.radius;
+  // The whole relocation is shortened, by the depth: in a corner the ball that is left then remains clear of all walls.
   if (const Crushed less = limit(norm(change)); less.depth > 0) {
     const double share = less.push / norm(change);
     after.velocity = velocity + share * change;
     after.position = position_t0 + dt * after.velocity;
     after.crushed = less.depth;
+    after.direction = change / norm(change);
+    shift = (less.depth / 2) * after.direction;
+    radius = std::max(0.0, radius - less.depth / 2);
     pushed *= share;
   }
   if (friction == 0) return after;
@@ -106,13 +114,14 @@ Resolved resolved(const Contact& contact, const Vec3d& position_t0, const Vec3d&
   const double speed = norm(sliding);
   if (speed == 0) return after;
   const Vec3d braked = (std::min(friction * pushed, speed) / speed) * sliding;
-  const Vec3d wanted = after.position - dt * braked;
-  const Vec3d place = slid(contact, pose, after.position, wanted, std::max(0.0, contact.radius - after.crushed));
-  if (place == wanted)
+  const Vec3d wanted = after.position + shift - dt * braked, place = slid(contact, pose, after.position + shift, wanted, radius);
+  if (place == wanted) {
+    after.position -= dt * braked;
     after.velocity -= braked;
-  else
-    after.velocity = (place - position_t0) / dt;
-  after.position = place;
+  } else {
+    after.position = place - shift;
+    after.velocity = (after.position - position_t0) / dt;
+  }
   return after;
 }
 
@@ -164,7 +173,9 @@ ContactSum resolve_points(P& points, std::span<const Contact> contacts, const Mo
   ContactSum sum;
   const auto impulse_of = [&](std::size_t k) { return -points.mass(contacts[k].point) * (all[k].velocity - points.velocity(contacts[k].point)); };
   for (std::size_t k = 0; k < contacts.size(); ++k) {
-    const Vec3d impulse = impulse_of(k), place = point_of_application(contacts[k], points.position_t0(contacts[k].point), all[k].position, motion);
+    const Vec3d impulse = impulse_of(k);
+    Vec3d place = point_of_application(contacts[k], points.position_t0(contacts[k].point), all[k].position, motion);
+    if constexpr (CrushablePoints<P>) place -= points.offset(contacts[k].point);
     sum.impulse += impulse;
     sum.angular_impulse_about_com += cross(place - centre_of_mass, impulse);
     ++sum.contacts;
@@ -176,7 +187,7 @@ ContactSum resolve_points(P& points, std::span<const Contact> contacts, const Mo
     const Vec3d impulse = impulse_of(k);
     points.set(contacts[k].point, all[k].position, all[k].velocity);
     if constexpr (CrushablePoints<P>)
-      if (all[k].crushed > 0) points.crush(contacts[k].point, all[k].crushed);
+      if (all[k].crushed > 0) points.crush(contacts[k].point, all[k].crushed, all[k].direction);
     report(contacts[k], impulse);
   }
   return sum;

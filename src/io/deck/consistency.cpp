@@ -150,7 +150,7 @@ void check_contact(Setup& setup, const Places& places) {
                        contact.detector.word()));
   if (contact.crushing_pressure && contact.radius_ratio == 0)
     refuse(places.of(path + "crushing_pressure"),
-           "crushing_pressure acts on the material between a particle's centre and its face, but radius_ratio is 0; remove one of the two.");
+           "crushing_pressure acts on the material within the contact radius of a particle, but radius_ratio is 0; remove one of the two.");
   if (detector != DetectorKind::analytic) return;
   for (const ImpactorSetup& impactor : setup.impactors) {
     if (!std::holds_alternative<CylinderSurface>(impactor.surface) && !std::holds_alternative<SphereSurface>(impactor.surface))

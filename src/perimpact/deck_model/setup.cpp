@@ -142,9 +142,9 @@ std::span<const Field<ImpactorContactSetup>> ImpactorContactSetup::fields() {
        "Contact radius over the particle spacing: a particle is in contact at this distance from the surface. 0.5 places contact at "
        "the edge of the material, 0 at the particle centres as in the FCCDA paper. The published detector requires 0, its default."},
       {"crushing_pressure", &S::crushing_pressure, "Pa", positive(), optional,
-       "Pressure at which impactors crush the material between a particle's centre and its face, such as the compressive strength of "
-       "ice: the normal force on a particle grows with the crushed depth, up to this pressure on its face, and contact is rigid once the "
-       "particle is crushed to its centre. Rigid contact from the beginning where absent."},
+       "Pressure at which impactors crush the material, such as the compressive strength of ice: with radius_ratio: 0.5 the work of crushing "
+       "a particle is this pressure times its volume, and the force on it at most 1.5 times the pressure on its face. A particle that is crushed "
+       "loses its bonds, also those of failure.no_fail, and its contact with other particles. Rigid contact where absent."},
       {"initial_overlap",
        &S::initial_overlap,
        "",

@@ -8,6 +8,7 @@
 #include <cstdint>
 #include <span>
 #include <string>
+#include <utility>
 #include <variant>
 #include <vector>
 
@@ -106,6 +107,31 @@ class Family {
       }
     }
     return ends / 2;
+  }
+
+  /// Breaks all bonds of a particle, which may be a ghost. Calls broke(slot) for each owned particle that loses one, also this one, once for each bond.
+  template <class Broke>
+  void isolate(std::size_t slot, const Particles& particles, const Broke& broke) {
+    const auto clear = [&](std::size_t of, std::size_t row) {
+      std::uint8_t& byte = bits_[begin(of / fccda::byte_lanes) + row];
+      const auto bit = static_cast<std::uint8_t>(1u << (of % fccda::byte_lanes));
+      if (!(byte & bit)) return;
+      byte = static_cast<std::uint8_t>(byte & ~bit);
+      broke(of);
+    };
+    if (!particles.owns(slot)) return for_each_end_at_ghost(slot, particles, clear);
+    const auto row_of = [&](std::size_t of, const FamilyBond& bond) {
+      return stencil() ? bond.index : bond.index / fccda::byte_lanes - begin(of / fccda::byte_lanes);
+    };
+    std::vector<std::pair<std::size_t, std::size_t>> ends;  // slot and row
+    for_each_bond(slot, [&](const FamilyBond& bond) {
+      ends.emplace_back(slot, row_of(slot, bond));
+      if (!particles.owns(bond.j)) return;
+      for_each_bond(bond.j, [&](const FamilyBond& back) {
+        if (back.j == slot) ends.emplace_back(bond.j, row_of(bond.j, back));
+      });
+    });
+    for (const auto& [of, row] : ends) clear(of, row);
   }
 
   std::size_t initial_bonds() const { return initial_bonds_; }  ///< of the body, each counted once

@@ -15,7 +15,8 @@
 
 namespace perimpact {
 
-/// Point i is slot i. Positions are at the end of the step, velocities those of the step.
+/// Point i is slot i. Positions are at the end of the step, velocities those of the step. The position of a particle that is crushed in part is that of the
+/// ball that is left of it.
 class ContactParticles {
  public:
   /// Brings positions, velocities and force densities of these slots to the arrays of the host.
@@ -35,19 +36,23 @@ class ContactParticles {
 
   std::size_t size() const { return particles_.slots(); }
   bool occupied(std::size_t slot) const { return particles_.owns(slot); }
-  Vec3d position_t1(std::size_t slot) const { return particles_.position.at(slot); }
-  Vec3d position_t0(std::size_t slot) const { return particles_.position.at(slot) - dt_ * particles_.velocity.at(slot); }
+  Vec3d position_t1(std::size_t slot) const { return ball(slot, centre_t1(slot)); }
+  Vec3d position_t0(std::size_t slot) const { return ball(slot, centre_t0(slot)); }
+  Vec3d centre_t1(std::size_t slot) const { return particles_.position.at(slot); }  ///< [m] of the particle
+  Vec3d centre_t0(std::size_t slot) const { return particles_.position.at(slot) - dt_ * particles_.velocity.at(slot); }
+  Vec3d offset(std::size_t slot) const { return particles_.crushed.offset(slot); }
   Vec3d velocity(std::size_t slot) const { return particles_.velocity.at(slot); }
   double mass(std::size_t slot) const { return particles_.mass(slot); }
   double largest_radius() const { return radius_; }
-  double radius(std::size_t slot) const { return radius_ - crushed(slot); }
-  /// The pressure acts on the face of the particle where it is crushed to its centre. A small ball is left, since points slide less exactly over edges.
+  double radius(std::size_t slot) const { return radius_ - particles_.crushed.depth(slot) / 2; }
+  /// The work of crushing is the pressure times the volume of the particle, if its thickness is its edge.
   fccda::Crushing crushing(std::size_t slot) const {
-    if (particles_.crushed.empty()) return {};
-    constexpr double never_crushed = 1e-3;
+    const CrushedMaterial& crushed = particles_.crushed;
+    if (crushed.empty()) return {};
     const double face = particles_.volume(slot) / particles_.spacing();
-    return {.stiffness = crushing_pressure_ * face / radius_, .depth = crushed(slot), .left = std::max(0.0, radius(slot) - never_crushed * radius_)};
+    return {.largest_force = 1.5 * crushing_pressure_ * face, .thickness = crushed.thickness(), .depth = crushed.depth(slot), .left = crushed.left(slot)};
   }
+  bool is_crushed(std::size_t slot) const { return particles_.crushed.is_crushed(slot); }
   /// Slot in the lattice of the whole body, which ranks share.
   std::size_t whole_slot(std::size_t slot) const { return particles_.share().whole_slot(slot); }
   /// [J] work of an impulse [N s] that led to the current velocity, paired with the mean of this velocity and that of the previous step. It
@@ -64,13 +69,17 @@ class ContactParticles {
 
   /// Particles of a plane body stay in the plane: surfaces in contact are prismatic (in_plane.hpp); rounding along z is discarded.
   void set(std::size_t slot, Vec3d position, Vec3d velocity) {
-    before_.push_back({slot, particles_.position.at(slot), particles_.velocity.at(slot), crushed(slot)});
+    before_.push_back({slot, particles_.position.at(slot), particles_.velocity.at(slot), particles_.crushed.depth(slot), offset(slot)});
+    position -= offset(slot);
     if (particles_.is_plane()) position.z = particles_.position.at(slot).z, velocity.z = particles_.velocity.at(slot).z;
     particles_.position.set(slot, position);
     particles_.velocity.set(slot, velocity);
   }
 
-  void crush(std::size_t slot, double depth) { particles_.crushed[slot] += depth; }
+  void crush(std::size_t slot, double depth, const Vec3d& direction) {
+    CrushedMaterial& crushed = particles_.crushed;
+    crushed.set(slot, crushed.depth(slot) + depth, crushed.offset(slot) + (depth / 2) * direction);
+  }
 
   /// Slots that differ from before contact, since the latest undo(); in the order of the changes, perhaps repeatedly.
   std::vector<std::uint32_t> changed() const {
@@ -85,7 +94,7 @@ class ContactParticles {
     for (auto set = before_.rbegin(); set != before_.rend(); ++set) {
       particles_.position.set(set->slot, set->position);
       particles_.velocity.set(set->slot, set->velocity);
-      if (!particles_.crushed.empty()) particles_.crushed[set->slot] = set->crushed;
+      if (!particles_.crushed.empty()) particles_.crushed.set(set->slot, set->crushed, set->offset);
       visit(set->slot);
     }
     before_.clear();
@@ -95,10 +104,11 @@ class ContactParticles {
   struct Before {
     std::size_t slot;
     Vec3d position, velocity;
-    double crushed;  // [m]
+    double crushed;  // [m] depth
+    Vec3d offset;
   };
 
-  double crushed(std::size_t slot) const { return particles_.crushed.empty() ? 0 : particles_.crushed[slot]; }
+  Vec3d ball(std::size_t slot, const Vec3d& centre) const { return particles_.crushed.empty() ? centre : centre + particles_.crushed.offset(slot); }
 
   Particles& particles_;
   double radius_;             // [m] of particles that are not crushed

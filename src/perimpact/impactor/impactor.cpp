@@ -153,6 +153,7 @@ void Impactor::advance(const Step& step) {
   account_.contacts = 0;
   last_step_.impulse = last_step_.angular_impulse = {};
   last_step_.contact_impulses.clear();
+  last_step_.crushed.clear();
   record_.begin_step();
 }
 
@@ -212,7 +213,7 @@ std::span<const Contact> Impactor::resolve_contact_again(std::size_t body, Conta
 
 std::span<const Contact> Impactor::respond_to_contacts(std::size_t body, ContactParticles& particles) {
   resolve_points(particles, contacts_, motion_, body_->position_of_com(), friction_, [&](const Contact& contact, const Vec3d& impulse) {
-    const Vec3d place = point_of_application(contact, particles.position_t0(contact.point), particles.position_t1(contact.point), motion_);
+    const Vec3d place = point_of_application(contact, particles.centre_t0(contact.point), particles.centre_t1(contact.point), motion_);
     const std::size_t slot = contact.point;
     ContactImpulse contact_impulse{body, contact, impulse, slot};
     contact_impulse.contact.point = particles.whole_slot(slot);
@@ -222,15 +223,15 @@ std::span<const Contact> Impactor::respond_to_contacts(std::size_t body, Contact
   return contacts_;
 }
 
-/// After the response: the particle has been crushed by the difference of its radii.
+/// After the response: the radius is shorter by half of the depth.
 void Impactor::add_crushing(const ContactParticles& particles, std::size_t slot, Pending& pending) const {
   const Contact& contact = pending.contact_impulse.contact;
-  const double depth = contact.radius - particles.radius(slot);
+  const double depth = 2 * (contact.radius - particles.radius(slot));
   if (!(depth > 0)) return;
   const fccda::Crushing material = particles.crushing(slot);
-  const double force = -dot(pending.contact_impulse.impulse, contact.normal) / motion_.dt;
-  pending.crushing = std::min(force, material.stiffness * material.depth) * depth;
-  if (material.left > 0) pending.rigidity = material.rigidity(pending.mass, motion_.dt);  // else contact has become rigid within the step
+  pending.crushing = material.force(material.depth) * depth;
+  pending.is_crushed = particles.is_crushed(slot);
+  if (!pending.is_crushed) pending.rigidity = material.rigidity(pending.mass, motion_.dt);  // else contact has become rigid within the step
 }
 
 std::span<const Contact> Impactor::respond_to_deforming_contacts(std::size_t body, ContactParticles& particles) {
@@ -305,6 +306,7 @@ void Impactor::finish_step() {
     record_.add(pending.contact_impulse.body, pending.contact_impulse.contact, pending.contact_impulse.impulse);
     work_on_particles_ += pending.work_on_particle;
     crushing_dissipation_ += pending.crushing;
+    if (pending.is_crushed) last_step_.crushed.push_back({pending.contact_impulse.body, pending.contact_impulse.contact.point});
     last_step_.contact_impulses.push_back(pending.contact_impulse);
   }
   count_in_contact();

@@ -45,11 +45,18 @@ struct ContactImpulse {
   std::optional<std::size_t> slot;  ///< of the particle; empty if another rank owns it
 };
 
+/// A particle in a slot of the lattice of its whole body.
+struct ParticleOfBody {
+  std::size_t body;  ///< index
+  std::size_t slot;
+};
+
 /// Contact on an impactor in the last step.
 struct LastStep {
   Vec3d impulse{};                               ///< [N s]
   Vec3d angular_impulse{};                       ///< [N m s] about the centre of mass
   std::vector<ContactImpulse> contact_impulses;  ///< of all ranks, by body; a particle pushed back by other impactors may occur more than once
+  std::vector<ParticleOfBody> crushed;           ///< those of which it has crushed the last (CrushedMaterial), of all ranks
 };
 
 /// Hydrostatics of an impactor at t = 0.
@@ -238,6 +245,7 @@ class Impactor {
     double mass;              // [kg] of the particle
     double rigidity = 1;      // of its contact (Coupling::add)
     double crushing = 0;      // [J] dissipated
+    bool is_crushed = false;  // the particle, after this contact
   };
   /// What the structure of a deforming surface receives of such a contact; its particle is numbered on the lattice of the whole body.
   struct PendingOnPanel {

@@ -36,6 +36,11 @@ class InternalForce {
   /// The same as evaluate(), without bond failure.
   void evaluate_unbroken(Particles& particles, Family& family);
 
+  /// Breaks all bonds of a particle, which may be a ghost; their elastic energy is not accounted for.
+  void isolate(std::size_t slot, const Particles& particles, Family& family) {
+    family.isolate(slot, particles, [&](std::size_t of) { ++sums_.broken_ends[of / fccda::byte_lanes]; });
+  }
+
   /// The same as evaluate(), one particle at a time: reference for the tests.
   void evaluate_scalar(Particles& particles, Family& family, double dt = 0);
 

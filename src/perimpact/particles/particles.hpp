@@ -12,6 +12,7 @@
 #include <vector>
 
 #include "perimpact/particles/cloud.hpp"
+#include "perimpact/particles/crushed_material.hpp"
 #include "perimpact/particles/lattice.hpp"
 #include "perimpact/particles/particles_view.hpp"
 #include "perimpact/particles/share.hpp"
@@ -107,8 +108,7 @@ class Particles {
   VectorArray velocity;       ///< [m/s] v at mid-step (symplectic Euler)
   VectorArray force_density;  ///< [N/m³] sum of all forces at `position`
 
-  /// [m] by slot: depth to which impactors have crushed the particle, by which its contact radius is smaller; empty where they do not crush it.
-  std::vector<double> crushed;
+  CrushedMaterial crushed;  ///< by impactors
 
   template <class Visitor>
   void visit_state(const std::string& name, Visitor&& visit) {
@@ -116,7 +116,7 @@ class Particles {
     for (std::size_t c = 0; c < 3; ++c) visit(name + ".position" + axis[c], std::span<double>(position.component(c), slots_));
     for (std::size_t c = 0; c < 3; ++c) visit(name + ".velocity" + axis[c], std::span<double>(velocity.component(c), slots_));
     for (std::size_t c = 0; c < 3; ++c) visit(name + ".force_density" + axis[c], std::span<double>(force_density.component(c), slots_));
-    if (!crushed.empty()) visit(name + ".crushed", std::span(crushed));
+    crushed.visit_state(name, visit);
   }
 
  private:

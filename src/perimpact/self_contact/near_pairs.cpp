@@ -28,30 +28,41 @@ constexpr std::uint8_t is_near = 8;         // itself or a neighbour contains on
 
 NearPairs::NearPairs(const ShortRangeLaw& law, std::span<const ContactingBody> bodies) : law_(law) {
   double finest = std::numeric_limits<double>::infinity(), largest = 0;
-  std::size_t count = 0;
   std::uint64_t first_id = 0;
-  for (const ContactingBody& body : bodies) count += body.particles.size();
-  particles_.reserve(count);
-  for (std::size_t b = 0; b < bodies.size(); ++b) {
-    const Particles& particles = bodies[b].particles;
+  for (const ContactingBody& body : bodies) {
+    const Particles& particles = body.particles;
     finest = std::min(finest, particles.spacing());
-    const Share& share = shares_.emplace_back(particles.share());
-    std::vector<std::uint32_t>& at = particle_at_.emplace_back(particles.slots(), none);
-    for (const std::uint32_t slot : particles.slot_of()) {
-      at[slot] = static_cast<std::uint32_t>(particles_.size());
-      particles_.push_back({static_cast<std::uint32_t>(b), 0, slot, particles.reference(slot), particles.size_of(slot), particles.volume(slot),
-                            first_id + share.whole_slot(slot)});
-      largest = std::max(largest, particles_.back().size);
-    }
+    shares_.emplace_back(particles.share());
+    particle_at_.emplace_back(particles.slots(), none);
+    for (const std::uint32_t slot : particles.slot_of()) largest = std::max(largest, particles.size_of(slot));
     first_ids_.push_back(first_id);
     first_id += particles.slots_of_whole();
   }
   largest = ranks().max(largest);
   skin_ = skin_ratio * finest;
   longest_ = weight_reach * law.distance_ratio * largest;
+  first_pair_.assign(1, 0);
+  list_particles(bodies);
+}
+
+/// All of this rank but those that are crushed.
+void NearPairs::list_particles(std::span<const ContactingBody> bodies) {
+  std::size_t count = 0;
+  for (const ContactingBody& body : bodies) count += body.particles.size();
+  particles_.clear();
+  particles_.reserve(count);
+  for (std::size_t b = 0; b < bodies.size(); ++b) {
+    const Particles& particles = bodies[b].particles;
+    std::ranges::fill(particle_at_[b], none);
+    for (const std::uint32_t slot : particles.slot_of()) {
+      if (particles.crushed.is_crushed(slot)) continue;
+      particle_at_[b][slot] = static_cast<std::uint32_t>(particles_.size());
+      particles_.push_back({static_cast<std::uint32_t>(b), 0, slot, particles.reference(slot), particles.size_of(slot), particles.volume(slot),
+                            first_ids_[b] + shares_[b].whole_slot(slot)});
+    }
+  }
   reference_positions_ = VectorArray(particles_.size(), 0);
   near_damage_.assign(particles_.size(), 0);
-  first_pair_.assign(1, 0);
 }
 
 void NearPairs::forget() {
@@ -69,6 +80,7 @@ bool NearPairs::needs_new_list(std::span<const ContactingBody> bodies, const Mov
     broken_eights_[b] = std::move(change.eights);
     for (const std::uint32_t slot : change.first_lost) {
       const std::uint32_t particle = particle_at_[b][slot];
+      if (particle == none) continue;  // it was crushed
       is_valid = is_valid && near_damage_[particle];
       if (!is_valid || member_of_[particle] == none) continue;  // make() examines all members
       exposed_[member_of_[particle]] = 1;
@@ -195,6 +207,7 @@ void NearPairs::refresh_foreign(std::span<const ContactingBody> bodies) {
 void NearPairs::make(std::span<const ContactingBody> bodies) {
   ++times_made_;
   is_known_ = true;
+  if (std::ranges::any_of(bodies, [](const ContactingBody& body) { return !body.particles.crushed.empty(); })) list_particles(bodies);
   find_foreign(bodies);
   fccda::parallel_for_blocks(particles_.size(), block, [&](std::size_t first, std::size_t last) {
     for (std::size_t p = first; p < last; ++p)

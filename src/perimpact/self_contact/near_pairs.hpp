@@ -87,6 +87,8 @@ class NearPairs {
   /// To be called where bonds or positions may have been replaced, as by a restart or the move of a window: the next step derives exposed particles from the
   /// bonds, and rebuilds the list. Counts of broken ends do not move with the material.
   void forget();
+  /// To be called where particles have been crushed, which have no contact (CrushedMaterial): the next step rebuilds the list.
+  void renew() { is_known_ = false; }
 
   /// Members of this rank in eights that had lost bonds at the last call of needs_new_list(): some of their pairs may no longer be bonded, which
   /// insert_broken_pairs() is to find before the next call. None after make().
@@ -126,6 +128,7 @@ class NearPairs {
   bool is_exposed(const Member& member) const {
     return member.is_foreign ? foreign_states_[member.slot].is_exposed != 0 : exposures_[member.body].is_exposed(member.slot);
   }
+  void list_particles(std::span<const ContactingBody> bodies);
   void find_foreign(std::span<const ContactingBody> bodies);
   void mark_cells();
   bool has_lost(const Member& particle) const {

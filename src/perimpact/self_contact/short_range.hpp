@@ -37,7 +37,8 @@ class ShortRange {
   bool yields() const { return !kept_.latest_pressures.empty(); }  ///< fragments of a body are compacted beyond a pressure
   double compaction_dissipation() const { return work_[2]; }       ///< [J] dissipated by compaction so far; never decreases
   const NearPairs& near_pairs() const { return near_pairs_; }
-  void forget();  ///< forces a rebuild of the pair list; does not affect results
+  void forget();                              ///< forces a rebuild of the pair list; does not affect results
+  void renew_list() { near_pairs_.renew(); }  ///< the same without the particles that have been crushed
 
   // for a device, which evaluates what add_forces() does between new lists (device/short_range_on_device.hpp)
   NearPairs& near_pairs() { return near_pairs_; }

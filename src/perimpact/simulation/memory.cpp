@@ -143,7 +143,7 @@ BodyMemory memory_of(const Setup& setup, const BodySetup& body, const Discretisa
   memory.making = std::max(memory.making, material.setting_up);
   if (body.failure && (body.failure->weibull_modulus || !body.failure->no_fail.empty())) memory.making += number * n;  // strength of each slot
   memory.impactors = static_cast<double>(setup.impactors.size()) * (number + sizeof(int)) * n;                         // due distance, guess
-  if (setup.contact.impactors.crushing_pressure) memory.impactors += number * n;
+  if (setup.contact.impactors.crushing_pressure) memory.impactors += (number + vector) * n;
   if (const auto* points = std::get_if<PointsShape>(&body.shape)) memory.deck = 2 * (vector + number) * static_cast<double>(points->points.size());
   memory.step = std::max(4 * number * n + n / 2, stiffest_mode_of(setup, body, discretisation, length, memory.particles + memory.bonds));
 

@@ -1,6 +1,7 @@
 #include "perimpact/simulation/simulation.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <iterator>
 #include <span>
@@ -110,7 +111,7 @@ struct ImpactorOnBody {
 };
 
 void make_crushable(Particles& particles, const ImpactorContactSetup& contact) {
-  if (contact.crushing_pressure) particles.crushed.assign(particles.slots(), 0);
+  if (contact.crushing_pressure) particles.crushed = CrushedMaterial(2 * contact.radius_ratio * particles.spacing(), particles.slots());
 }
 
 }  // namespace
@@ -195,6 +196,7 @@ void Simulation::perform_step(const KeepRelaxing& keep_on) {
   timers_.timed("predict", [&] { advance_bodies(); });
   timers_.timed("contact", [&] {
     resolve_impactor_contact();
+    isolate_crushed();
     end_load_interval();
   });
   if (ranks_->size() > 1) timers_.timed("ghosts", [&] { begin_refresh_ghosts(); });
@@ -243,6 +245,10 @@ void Simulation::move_window(MovingWindow& window, long moves) {
   MovedState moved(captured, {body.name, b, slots_before, window.cells_of(moves), body.particles, body.family});
   visit_all(moved);
   window.continue_front(bodies_[b], moves);
+  std::vector<std::size_t> crushed;  // new material has all its bonds, also with these
+  for (const std::uint32_t slot : body.particles.slot_of())
+    if (body.particles.crushed.is_crushed(slot)) crushed.push_back(body.particles.share().whole_slot(slot));
+  isolate(b, ranks_->join_all(std::span<const std::size_t>(crushed)));
   boundary_conditions_[b].restart_potentials();
   for (Impactor& impactor : impactors_) impactor.forget_distances(b);
   window.expect_clear(bodies_[b], impactors_, setup_.contact.impactors, moves);
@@ -321,6 +327,23 @@ std::vector<std::size_t> Simulation::resolve_body(std::size_t body, ContactParti
   std::vector<std::size_t> unresolved;
   for (const std::vector<std::size_t>& points : fccda::resolve_together(std::span(resolvers), particles)) unresolved.push_back(points.size());
   return unresolved;
+}
+
+/// Particles that impactors have crushed in this step lose their bonds, and their contact with others.
+void Simulation::isolate_crushed() {
+  const auto has_crushed = [](const Impactor& impactor) { return !impactor.last_step().crushed.empty(); };
+  if (std::ranges::none_of(impactors_, has_crushed)) return;
+  bring_to_host();
+  for (const Impactor& impactor : impactors_)
+    for (const auto& [b, whole_slot] : impactor.last_step().crushed) isolate(b, std::array{whole_slot});
+  for (OnDevice& one : on_device_) one.body.renew();
+  if (fragments_) fragments_->renew_list();
+}
+
+void Simulation::isolate(std::size_t b, std::span<const std::size_t> whole_slots) {
+  Body& body = bodies_[b];
+  for (const std::size_t whole_slot : whole_slots)
+    if (const auto slot = body.particles.share().local_slot(whole_slot)) body.internal.isolate(*slot, body.particles, body.family);
 }
 
 void Simulation::begin_refresh_ghosts() {

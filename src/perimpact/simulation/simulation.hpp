@@ -166,6 +166,8 @@ class Simulation {
   void time_forces(std::string_view phase, const std::function<void()>& compute);
   void advance_bodies();
   void resolve_impactor_contact();
+  void isolate_crushed();
+  void isolate(std::size_t body, std::span<const std::size_t> whole_slots);
   std::vector<std::size_t> resolve_body(std::size_t body, ContactParticles& particles);  // number of unresolved penetrations per impactor
   void begin_refresh_ghosts();
   void compute_bond_forces();

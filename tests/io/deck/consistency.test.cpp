@@ -136,7 +136,7 @@ TEST_CASE("consistency: crushing in contact requires the swept detector and a co
   CHECK(read(plate_with("radius_ratio: 0.5", "crushing_pressure: 2 MPa")).setup.contact.impactors.crushing_pressure == 2e6);
   CHECK(!read(plate_with("radius_ratio: 0.5", "radius_ratio: 0.5")).setup.contact.impactors.crushing_pressure);
   check_complaint({"radius_ratio: 0.5", "radius_ratio: 0, crushing_pressure: 2 MPa", "2 MPa",
-                   "crushing_pressure acts on the material between a particle's centre and its face, but radius_ratio is 0; remove one of the two."});
+                   "crushing_pressure acts on the material within the contact radius of a particle, but radius_ratio is 0; remove one of the two."});
   check_complaint({"detector: swept", "detector: analytic, crushing_pressure: 2 MPa", "2 MPa",
                    "crushing_pressure changes the contact radius of particles, which detector analytic keeps; remove it, or set detector: swept."});
 }
