@@ -29,6 +29,9 @@ void check_relaxation(const Setup& setup, const Places& places) {
     refuse(places.of("output.history_interval"), "history_interval is given, but relax writes one row per increment; remove history_interval.");
   if (setup.contact.fragments.law.as<FragmentLaw>() != FragmentLaw::none)
     refuse(places.of("contact.fragments.law"), "law is repulsive, but relax does not support short-range contact; remove one of the two.");
+  if (setup.contact.impactors.crushing_pressure)
+    refuse(places.of("contact.impactors.crushing_pressure"),
+           "crushing_pressure acts in contact with impactors, but relax computes equilibrium states without contact; remove one of the two.");
   for (const BodySetup& body : setup.bodies) {
     const std::string path = "bodies." + body.name;
     if (body.velocity != Vec3d{})

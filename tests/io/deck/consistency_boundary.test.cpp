@@ -126,6 +126,8 @@ TEST_CASE("consistency of relaxation: keys of dynamics are refused") {
   refused("relax:", "step: 1 us, relax:", "1 us,", "step is given together with relax, which has increments instead of time steps; remove one of the two.");
   refused("frames: 40", "history_interval: 2 us", "2 us", "history_interval is given, but relax writes one row per increment; remove history_interval.");
   refused("law: none", "law: repulsive", "repulsive", "law is repulsive, but relax does not support short-range contact; remove one of the two.");
+  refused("radius_ratio: 0.5}", "radius_ratio: 0.5, crushing_pressure: 2e6}", "2e6",
+          "crushing_pressure acts in contact with impactors, but relax computes equilibrium states without contact; remove one of the two.");
   refused("    horizon_ratio", "    velocity: [0, 0, 1]\n    horizon_ratio", "[0, 0, 1]",
           "velocity is not 0, but relax computes equilibrium states without motion; remove one of the two.");
   refused("    horizon_ratio", "    boundary_conditions: {sink: {absorbing: {particle_set: a, face: +x}}}\n    horizon_ratio", "absorbing",
