@@ -20,8 +20,8 @@ from ship_in_ice import COLOURS, spacing_of  # noqa: E402
 from vtp_reader import picture_at  # noqa: E402
 
 COLUMNS = (  # folder, title, time [s] since contact
-    ("deck", "deck.yaml", 0.9),
-    ("deck", "deck.yaml", 2.1),
+    ("deck", "deck.yaml", 0.6),
+    ("deck", "deck.yaml", 1.6),
     ("cut", "cut along the track", 1.4),
     ("rigid", "rigid contact", 2.1),
 )

@@ -6,7 +6,8 @@ source "$(dirname "$0")/../../scripts/variants.bash"
 
 sheet=bodies.sheet
 ship=impactors.ship
-edge() { echo "$sheet.particle_sets.$1={shape: {box: {size: [$2, 0.6 m]}}, position: [$3, 0]}"; }
+# of four layers none is in the middle; one is held, so that the edge can rotate
+edge() { echo "$sheet.particle_sets.$1={shape: {box: {size: [$2, 0.4 m]}}, position: [$3, 0.25 m]}"; }
 half_step=time.step="0.1175 ms"
 four_layers=("$sheet.spacing=0.5 m" "time.step=0.176 ms" "$(edge far_end "2 m, 81 m" "-29 m, 0")" "$(edge port "58 m, 2 m" "1 m, -39 m")"
   "$(edge starboard "58 m, 2 m" "1 m, 39 m")")
