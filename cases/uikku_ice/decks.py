@@ -19,6 +19,7 @@ from resistance import GRAVITY, ShipInIce  # noqa: E402
 UIKKU = ShipInIce(length=150, beam=21.3, draft=9.5, stem=30, waterline=21, parallel=67, bow=38, friction=0.05, poisson=0.25)
 LAYERS = 3
 ASTERN = 39.0  # [m] of ice behind the stem, the length of the bow
+AHEAD, BESIDE = 4, 2  # characteristic lengths of ice ahead of the stem, farther than its radial crack runs, and beside the hull
 APPROACH = 1.5  # [m/s] while the bow makes its channel, which takes one second more for the change to the speed of the test
 STEP = 0.5  # over spacing/√(E/ρ), with ρ of the scaled mass; `perimpact check` accepts up to 0.55 for these decks
 DISPLACEMENT = 21655  # [t] of the panels of this hull, by `perimpact shape hull`, in water of 1025 kg/m3
@@ -64,8 +65,8 @@ def deck(number, test, is_free=False):
     """The deck of a test; of a ship that is free in surge and heave and driven by the resistance that was measured, where `is_free`."""
     ship = ship_in(test)
     length, spacing = ship.characteristic_length, ship.thickness / LAYERS
-    along = 8 * ceil((ASTERN + 2 * length) / spacing / 8)
-    across = 2 * ceil((ship.beam / 2 + 2 * length) / spacing)
+    along = 8 * ceil((ASTERN + AHEAD * length) / spacing / 8)
+    across = 2 * ceil((ship.beam / 2 + BESIDE * length) / spacing)
     long, wide, edge, layer = along * spacing, across * spacing, 3 * spacing, f"{spacing / 2:.4g} m"
     draft = ship.thickness * ship.ice / ship.water
     entrained = 2 / pi * 0.32 * length  # [m] of water that moves with a cusp
