@@ -76,9 +76,19 @@ int pending_signal(const Simulation& simulation) { return static_cast<int>(simul
 /// Performs the steps, with the progress line. The signal that ended the run, or 0.
 int run_steps(Simulation& simulation, RunLoop& loop, Messages& messages) {
   Progress progress(simulation, messages);
+  bool has_warned = false;
+  const auto warn_of_windows = [&] {  // once and at once, since the rest of the run may be in vain
+    if (has_warned) return;
+    for (const MovingWindow& window : simulation.moving_windows())
+      for (const std::string& sentence : window.warnings()) {
+        messages.warn(fmt::format("At t = {:.4g} s: {}", simulation.clock().time(), sentence));
+        has_warned = true;
+      }
+  };
   loop.run({.after_step =
                 [&] {
                   progress.after_step(simulation);
+                  warn_of_windows();
                   return StopSignals::pending() == 0;
                 },
             .in_increment =

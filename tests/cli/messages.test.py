@@ -4,7 +4,7 @@ import json
 import resource
 import signal
 
-from claims import claim, main
+from claims import MOVES, claim, main
 from folders import LONG, ended, started
 
 AWAY = ("-32 m/s", "32 m/s")  # the impactor moves away: a warning at the end
@@ -45,6 +45,18 @@ def _(t):
     for file, words in (".", "it is a folder. Append a file name."), ("no/run.log", "there is no folder no."):
         t.expect_complaint(t.run_program("run", "deck.yaml", "--out", "n", "--log", file), 2, f"{file} cannot be written: {words}")
     t.assertFalse((t.folder / "n").exists())
+
+
+@claim("messages: a window that moves with a damaged front is reported at once, with the time, and once more at the end")
+def _(t):
+    hammer = ("  hammer:\n    surface: {cylinder: {diameter: 10 mm, height: 40 mm, axis: z, edge_length: 2 mm}}\n    mass: 1 kg\n"
+              "    position: [25 mm, 35.05 mm, 0]\n    velocity: [0, -100 m/s, 0]\n")  # fmt: skip
+    deck = t.deck(*MOVES, ("-100 m/s, 0]", "0, 0]"), ("density: 8000 kg/m3}", "density: 8000 kg/m3, critical_stretch: 1e-4}"), ("contact:\n", hammer + "contact:\n"))
+    lines = [line for line in t.run_program("run", deck, "--quiet", "--out", "r").out.splitlines() if "moving window" in line]
+    t.assertEqual(len(lines), 2, lines)
+    t.assertRegex(lines[0], r"^warning: At t = [\d.e-]+ s: The moving window of body plate moved although the material at its front was damaged \(up to [\d.]+\)")
+    t.assertTrue(lines[1].startswith("warning: The moving window of body plate"), lines[1])
+    t.assertLess(float(lines[0].split()[4]), 1e-5)  # of 2e-5 s
 
 
 @claim("messages: run --progress json prints one object a line, with the documented members, and the warnings of run.json")
