@@ -2,13 +2,14 @@
 """Measures a run of window.yaml: window.py RESULTS
 
 Writes window.csv: the mean of F_x on the ship with its standard error (`perimpact statistics`) from first contact to the end and from where the full breadth
-of the ship is in the ice, the dominant period, the load peaks of measure.py, and the energy balance.
+of the ship is in the ice, the dominant period, the load peaks of measure.py, the energy balance, and the size of the floes in the window at the end.
 """
 
 import csv
 import sys
 from pathlib import Path
 
+import numpy as np
 from measure import bow_length, report_of, times_of_loads, travel_in_ice
 
 sys.path.insert(0, str(Path(__file__).resolve().parent / "../../scripts/results"))
@@ -17,6 +18,17 @@ from load_statistics import load_statistics  # noqa: E402
 
 HERE = Path(__file__).resolve().parent
 TABLE = HERE / "window.csv"
+
+
+def sizes_of_floes(folder):
+    """[m] side of a square of the same area, of the largest floe and of the one that half of the mass of all floes is not smaller than; without single particles and
+    the rest of the sheet, the largest fragment."""
+    sheet = report_of(folder)["setup"]["bodies"]["sheet"]
+    per_area = sheet["material"]["density"] * sheet["shape"]["box"]["size"][2]
+    with open(Path(folder) / "fragments/sheet_end.csv", newline="", encoding="utf-8") as lines:
+        mass = np.sort([float(row["mass [kg]"]) for row in csv.DictReader(lines)])[-2::-1]
+    median = mass[np.searchsorted(np.cumsum(mass), 0.5 * mass.sum())]
+    return tuple(np.sqrt(np.array([mass[0], median]) / per_area))
 
 
 def measure(folder):
@@ -39,7 +51,10 @@ def measure(folder):
             f"{name}, dominant period [s]": float(found["dominant_period [s]"] or "nan"),
             f"{name}, load peaks": len(peaks),
         }
+    largest, median = sizes_of_floes(folder)
     return numbers | {
+        "floes, side of the largest [m]": largest,
+        "floes, median side by mass [m]": median,
         "contact work [J]": -rows["ship.contact_work [J]"][-1],
         "energy balance error [J]": abs(rows["total.energy_balance_error [J]"]).max(),
         "plastic dissipation [J]": rows["sheet.plastic_dissipation [J]"][-1],

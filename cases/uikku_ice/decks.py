@@ -19,7 +19,7 @@ from resistance import GRAVITY, ShipInIce  # noqa: E402
 UIKKU = ShipInIce(length=150, beam=21.3, draft=9.5, stem=30, waterline=21, parallel=67, bow=38, friction=0.05, poisson=0.25)
 LAYERS = 3
 ASTERN = 39.0  # [m] of ice behind the stem, the length of the bow
-AHEAD, BESIDE = 4, 2  # characteristic lengths of ice ahead of the stem, farther than its radial crack runs, and beside the hull
+AHEAD, BESIDE = 4, 2  # characteristic lengths of ice ahead of the stem, where a radial crack ran more than two, and beside the hull
 APPROACH = 1.5  # [m/s] while the bow makes its channel, which takes one second more for the change to the speed of the test
 STEP = 0.5  # over spacing/√(E/ρ), with ρ of the scaled mass; `perimpact check` accepts up to 0.55 for these decks
 DISPLACEMENT = 21655  # [t] of the panels of this hull, by `perimpact shape hull`, in water of 1025 kg/m3

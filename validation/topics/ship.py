@@ -17,7 +17,7 @@ SHEET = "bodies.sheet"
 # of four layers none is in the middle; one is held, so that the edge can rotate
 HELD = {"far_end": ("2 m, 81 m", "-29 m, 0"), "port": ("58 m, 2 m", "1 m, -39 m"), "starboard": ("58 m, 2 m", "1 m, 39 m")}
 FOUR_LAYERS = (
-    f"{SHEET}.spacing=0.5 m", "time={end: 2.1 s, step: 0.176 ms}", "output={frames: 0, history_interval: 0.05 s}",
+    *ENTRY, f"{SHEET}.spacing=0.5 m", "time.step=0.176 ms",
     *(f"{SHEET}.particle_sets.{name}={{shape: {{box: {{size: [{size}, 0.4 m]}}}}, position: [{place}, 0.25 m]}}" for name, (size, place) in HELD.items()),
 )  # fmt: skip
 SHORT = (  # the first 1.5 s of a sheet 20 m long, between fixed edges

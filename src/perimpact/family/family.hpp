@@ -8,7 +8,6 @@
 #include <cstdint>
 #include <span>
 #include <string>
-#include <utility>
 #include <variant>
 #include <vector>
 
@@ -59,7 +58,12 @@ class Family {
     return all == 0xff;
   }
 
-  /// Calls visit(FamilyBond) for all intact bonds of a particle, in the order of force summation.
+  /// Row of a bond of this particle in those of its eight.
+  std::size_t row_of(std::size_t slot, const FamilyBond& bond) const {
+    return stencil() ? bond.index : bond.index / fccda::byte_lanes - begin(slot / fccda::byte_lanes);
+  }
+
+  /// Calls visit(FamilyBond) for all intact bonds of a particle, in the order of force summation. Visitors may break the bond that they visit.
   template <class Visit>
   void for_each_bond(std::size_t slot, const Visit& visit) const {
     const std::size_t eight = slot / fccda::byte_lanes, lane = slot % fccda::byte_lanes, first = begin(eight), rows = begin(eight + 1) - first;
@@ -120,18 +124,13 @@ class Family {
       broke(of);
     };
     if (!particles.owns(slot)) return for_each_end_at_ghost(slot, particles, clear);
-    const auto row_of = [&](std::size_t of, const FamilyBond& bond) {
-      return stencil() ? bond.index : bond.index / fccda::byte_lanes - begin(of / fccda::byte_lanes);
-    };
-    std::vector<std::pair<std::size_t, std::size_t>> ends;  // slot and row
     for_each_bond(slot, [&](const FamilyBond& bond) {
-      ends.emplace_back(slot, row_of(slot, bond));
+      clear(slot, row_of(slot, bond));
       if (!particles.owns(bond.j)) return;
       for_each_bond(bond.j, [&](const FamilyBond& back) {
-        if (back.j == slot) ends.emplace_back(bond.j, row_of(bond.j, back));
+        if (back.j == slot) clear(bond.j, row_of(bond.j, back));
       });
     });
-    for (const auto& [of, row] : ends) clear(of, row);
   }
 
   std::size_t initial_bonds() const { return initial_bonds_; }  ///< of the body, each counted once

@@ -349,15 +349,13 @@ void NearPairs::find_of(std::size_t p, std::span<const ContactingBody> bodies, s
 void NearPairs::name_bonds(std::size_t p, std::span<const ContactingBody> bodies, std::span<Found> found) const {
   const Member& i = particles_[p];
   const Family& family = bodies[i.body].family;
-  const std::size_t eight = i.slot / fccda::byte_lanes;
   std::size_t next = 0;  // both are sorted by slot
   family.for_each_bond(i.slot, [&](const FamilyBond& bond) {
     const std::uint32_t particle = particle_at_[i.body][bond.j];
     if (particle == none) return;
     while (next < found.size() && found[next].particle < particle) ++next;
     if (next == found.size() || found[next].particle != particle) return;
-    const std::size_t row = family.stencil() ? bond.index : bond.index / fccda::byte_lanes - family.begin(eight);
-    found[next].bond = static_cast<std::uint32_t>(row);
+    found[next].bond = static_cast<std::uint32_t>(family.row_of(i.slot, bond));
   });
 }
 

@@ -219,7 +219,7 @@ TEST_CASE("crushing: particles of an edge that two impactors crush at once stay 
   setup.bodies[0].particle_sets = {{.name = "base", .shape = BoxSolid{{0.5 * edge, edge, 0.5 * edge}}, .position = {-0.25 * edge, 0, -0.25 * edge}}};
   ImpactorSetup beside = setup.impactors[0];
   beside.name = "beside";
-  // its lower face is flush with the one above, so that they meet along the edge and do not intersect
+  // the two overlap beyond the edge of the block; impactors have no contact with one another
   beside.surface = BoxSurface{.size = {edge, 3 * edge, 3 * edge}, .edge_length = edge};
   beside.position = {edge + gap, 0, 0};
   beside.motion = {};
