@@ -33,6 +33,9 @@ deck=$case/crushed.yaml variant crushed_20
 for part in 2 4; do
   deck=$case/crushed.yaml variant "crushed_20_step_$part" time.step="$(awk "BEGIN {print 1.9e-5 / $part}")"
 done
+deck=$case/crushed.yaml variant crushed_in_contact_20 contact.impactors.crushing_pressure="2.3 MPa"
+deck=$case/crushed.yaml variant crushed_in_contact_20_step_2 contact.impactors.crushing_pressure="2.3 MPa" time.step=9.5e-6
 deck=$case/crushed.yaml variant crushed_40 bodies.ice.spacing=0.025 time.end="41.4 ms"
+deck=$case/crushed.yaml variant crushed_in_contact_40 contact.impactors.crushing_pressure="2.3 MPa" bodies.ice.spacing=0.025 time.end="41.4 ms"
 deck=$case/oblique.yaml variant crushed_oblique_20 time.end="80 ms" "$contact" $stretch=3.2e-4 \
   bodies.ice.material.plasticity="{compressive_strength: 2.3 MPa, failure_strain: 0.003, failure_pressure: 0.2, failure_width: 3, friction_angle: 30 deg}"

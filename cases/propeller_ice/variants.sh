@@ -22,8 +22,11 @@ weak=($stretch=3.2e-4) crushed=($stretch=3.2e-4 bodies.ice.material.plasticity="
 variant stretch_3.2e-4 "${weak[@]}"
 variant crushed "${crushed[@]}"
 variant crushed_half_step "${crushed[@]}" time.step=9.5e-6
+variant crushed_in_contact "${crushed[@]}" contact.impactors.crushing_pressure="2.3 MPa"
+variant crushed_in_contact_half_step "${crushed[@]}" contact.impactors.crushing_pressure="2.3 MPa" time.step=9.5e-6
 variant stretch_3.2e-4_fine "${weak[@]}" bodies.ice.spacing=0.025
 variant crushed_fine "${crushed[@]}" bodies.ice.spacing=0.025 time.end="19.3 ms"
+variant crushed_in_contact_fine "${crushed[@]}" contact.impactors.crushing_pressure="2.3 MPa" bodies.ice.spacing=0.025 time.end="19.3 ms"
 
 # Position of the sphere around the shaft, panel size, no fragment contact
 variant turned_30 bodies.ice.position="[0.80, 0.721, -1.24881]"

@@ -375,7 +375,10 @@ Setup some_setup(Random& random) {
     contact.radius_ratio = contact.friction = 0, contact.crushing_pressure.reset();
   else
     contact.detector = contact.variant = {detector_words}, contact.variant = Choice{variant_words};
-  if (!relaxes) fill_fields(random, setup.contact.fragments);
+  if (relaxes)
+    contact.crushing_pressure.reset();
+  else
+    fill_fields(random, setup.contact.fragments);
   if (setup.contact.fragments.law.as<FragmentLaw>() == FragmentLaw::none) setup.contact.fragments = {};
   fill_fields(random, setup.output);
   fill_frames(random, setup.output);
