@@ -22,7 +22,7 @@ RADIUS = 25e-3  # [m] of the cylinder
 PANELS = {f"panel_{size}mm": f"panels of {size} mm" for size in ("2", "1.5", "1", "0.5", "0.1")}
 VARIANTS = PANELS | {
     "analytic": "`analytic`: no panels",
-    "region_none": "no region",
+    "region_none": "no contact bounds",
     "radius_0": "`radius_ratio: 0`",
     "correction_volume": "`surface_correction: volume`",
     "correction_none": "`surface_correction: none`",
@@ -31,7 +31,7 @@ VARIANTS = PANELS | {
     "published_letter": "`detector: published`, `variant: literal`",
 }
 DETECTION = {"panel_2mm": "`swept`, triangles of 2 mm", "analytic": "`analytic`", "published_repaired": "`published`, quads of 2 mm",
-             "published_letter": "`published`, `letter`, quads of 2 mm"}  # fmt: skip
+             "published_letter": "`published`, `variant: literal`, quads of 2 mm"}  # fmt: skip
 
 
 def at(history, column, time):
@@ -124,7 +124,7 @@ def panel_table(histories):
 
 
 def detection_table(results):
-    lines = ["| detector | particles in the region | particles asked | pairs of particle and panel |", "|---|---|---|---|"]
+    lines = ["| detector | particle-steps in the contact bounds | tested | pairs of particle and panel |", "|---|---|---|---|"]
     for name, called in DETECTION.items():
         effort = json.loads((results / name / "run.json").read_text())["impactors"]["cylinder"]["detection"]["plate"]
         counts = [effort[key] for key in ("points_in_bounds", "points_tested", "panels_tested")]

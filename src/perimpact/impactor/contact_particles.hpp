@@ -45,7 +45,7 @@ class ContactParticles {
   double mass(std::size_t slot) const { return particles_.mass(slot); }
   double largest_radius() const { return radius_; }
   double radius(std::size_t slot) const { return radius_ - particles_.crushed.depth(slot) / 2; }
-  /// The work of crushing is the pressure times the volume of the particle, if its thickness is its edge.
+  /// The work of crushing is the pressure times the volume of the particle, if its thickness is one spacing (radius_ratio 0.5).
   fccda::Crushing crushing(std::size_t slot) const {
     const CrushedMaterial& crushed = particles_.crushed;
     if (crushed.empty()) return {};

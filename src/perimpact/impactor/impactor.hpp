@@ -56,7 +56,7 @@ struct LastStep {
   Vec3d impulse{};                               ///< [N s]
   Vec3d angular_impulse{};                       ///< [N m s] about the centre of mass
   std::vector<ContactImpulse> contact_impulses;  ///< of all ranks, by body; a particle pushed back by other impactors may occur more than once
-  std::vector<ParticleOfBody> crushed;           ///< those of which it has crushed the last (CrushedMaterial), of all ranks
+  std::vector<ParticleOfBody> crushed;           ///< particles that it has completely crushed (CrushedMaterial), of all ranks
 };
 
 /// Hydrostatics of an impactor at t = 0.

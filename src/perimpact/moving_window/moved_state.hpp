@@ -31,7 +31,7 @@ class CapturedState {
   std::map<std::string, std::vector<std::byte>> arrays_;
 };
 
-/// A visitor that writes captured arrays into the parts of the simulation, of which the moved body, its boundary conditions and the contact of fragments are
+/// A visitor that writes captured arrays back into the simulation, in which the moved body, its boundary conditions and the contact between fragments have been
 /// rebuilt. Arrays over the slots, or over the eights, of this body, and lists of numbers of its particles, take over the values of the cells that its cells
 /// move to; new material keeps its initial values, and pairs and points of discarded material are left out. Sums since the beginning (names that end in
 /// "_of_eight") stay in their eights, so that their totals include what is discarded. All other arrays are restored as they were. Collective: state that comes
@@ -102,10 +102,10 @@ class MovedState {
       for (std::size_t k = 0; k < slots.size(); ++k) to[k * each + c] = after[slots[k]];
     }
   }
-  /// How many numbers of each particle this list has; 0 if it is not of this body. `numbers`, `slots`: on this rank. Collective.
+  /// Number of values that this list has for each particle; 0 if it does not belong to this body. `numbers`, `slots`: on this rank. Collective.
   std::size_t numbers_of_each_particle(std::string_view name, std::size_t numbers, std::size_t slots) const;
   void bonds(std::span<const std::uint8_t> from, std::span<std::uint8_t> to, std::size_t per_eight) const;
-  /// The slot after the move of that slot before it, on the lattice of the whole body; none if it is discarded.
+  /// Slot after the move that receives the state of `whole_slot` before it, on the lattice of the whole body; none if that state is discarded.
   std::optional<std::size_t> target(std::size_t whole_slot) const;
   /// Id of a particle after the move; none if it is discarded.
   std::optional<std::size_t> moved_id(std::size_t id) const;

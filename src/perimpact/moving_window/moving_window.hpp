@@ -22,7 +22,7 @@ class MovingWindow {
  public:
   static constexpr int cells_of_move = 8;  ///< slots that share bytes of bonds stay together
 
-  /// `body`: index of a body with a moving window; `impactors` before the first step. Throws SetupError if what the body is or has cannot move. Collective.
+  /// `body`: index of a body with a moving window; `impactors` before the first step. Throws SetupError if this body cannot be a moving window. Collective.
   MovingWindow(const Setup& setup, std::size_t body, const Body& its, std::span<const Impactor> impactors);
 
   std::size_t body() const { return body_; }                                       ///< index
@@ -45,7 +45,7 @@ class MovingWindow {
   /// A warning if the material at the front was damaged in any move so far.
   std::vector<std::string> warnings() const;
 
-  /// The cells that these moves are.
+  /// Displacement of the window by these moves, in cells along each axis.
   std::array<int, 3> cells_of(long moves) const;
 
   /// See base/state.hpp.

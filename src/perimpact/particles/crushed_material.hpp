@@ -1,4 +1,4 @@
-/// What impactors have crushed of the particles of a body (fccda/respond/crushing.hpp).
+/// Extent to which impactors have crushed the particles of a body (fccda/respond/crushing.hpp).
 #pragma once
 
 #include <algorithm>
@@ -22,7 +22,7 @@ class CrushedMaterial {
   double thickness() const { return thickness_; }                                        ///< [m]
   double depth(std::size_t slot) const { return empty() ? 0 : depth_[slot]; }            ///< [m] so far
   Vec3d offset(std::size_t slot) const { return empty() ? Vec3d{} : offset_.at(slot); }  ///< [m] from the particle's centre to that of the ball that is left
-  /// [m] that may still be crushed. A small ball is left, since points slide less exactly over edges.
+  /// [m] that may still be crushed. A small ball always remains, since a point without a radius slides less accurately over edges.
   double left(std::size_t slot) const { return std::max(0.0, share_crushed * thickness_ - depth(slot)); }
   /// Nothing is left but the small ball: the particle has no bonds, and is in contact with impactors alone.
   bool is_crushed(std::size_t slot) const { return !empty() && left(slot) <= rounding * thickness_; }

@@ -5,8 +5,8 @@
 ///   failure strain   ε_f = ε0 + ((p/p₂ - N)/M)²,  p₂ the larger root of a0 + a1 p + a2 p²
 ///
 /// Surfaces: Riska and Frederking (1987), Derradji-Aouat (2000) and Kierkegaard (1993), as fitted ellipses in MPa; failure strain after Liu, Amdahl and
-/// Løset (Cold Reg. Sci. Technol. 2011), constants of Mokhtari et al. (2022). Another uniaxial strength σ_c is reached by the scale s = σ_c/4.43 MPa of
-/// stresses, (a0 s², a1 s, a2).
+/// Løset (Cold Reg. Sci. Technol. 2011), constants of Mokhtari et al. (2022). For another uniaxial strength σ_c, stresses are scaled by s = σ_c/4.43 MPa:
+/// (a0 s², a1 s, a2).
 #pragma once
 
 #include <array>
