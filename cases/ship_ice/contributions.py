@@ -22,7 +22,7 @@ CONTRIBUTIONS = {  # docs/theory/energy.md; the columns of a body are summed ove
     "crushing in contact with the hull": {CRUSHING: 1},
     "friction and inelastic contact of the hull": {r"total\.contact_dissipation": 1, CRUSHING: -1},
     "weight and buoyancy": {r".*\.weight_buoyancy_work": -1},
-    "drag and damping by the water": {r".*\.drag_work": -1},
+    "water: drag, and motion that damage and contact end": {r".*\.drag_work": -1},
     "waves that leave through absorbing edges": {r".*\.waves_\w+\.work": -1},
     "elastic and kinetic energy of the ice": {r"(?!ship\b).*\.(elastic|kinetic|contact)_energy": 1},
     "energy that leaves with ice behind the window": {r"total\.discarded_energy": 1},

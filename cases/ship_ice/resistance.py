@@ -101,11 +101,17 @@ def cusps(ship):
     return {"length at rest": still, "length": moving, "period": moving / ship.speed if ship.speed else inf}
 
 
+def help_of_fields(file):
+    """The comments of the fields of a dataclass in this source file, by their names."""
+    with open(file, encoding="utf-8") as lines:
+        return {line.split(":")[0].strip(): line.split("# ")[1].strip().replace("%", "%%") for line in lines if ": float = " in line and "# " in line}
+
+
 def options():
     parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
-    lines = {line.split(":")[0].strip(): line.split("# ")[1] for line in open(__file__, encoding="utf-8") if ": float = " in line and "# " in line}
+    descriptions = help_of_fields(__file__)
     for field in fields(ShipInIce):
-        parser.add_argument("--" + field.name.replace("_", "-"), type=float, default=field.default, help=f"{lines[field.name].strip()}; {field.default:g} where absent")
+        parser.add_argument("--" + field.name.replace("_", "-"), type=float, default=field.default, help=f"{descriptions[field.name]}; {field.default:g} where absent")
     return ShipInIce(**vars(parser.parse_args()))
 
 

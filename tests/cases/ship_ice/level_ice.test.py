@@ -1,0 +1,76 @@
+"""Decks that are written from the data of a ship and of level ice."""
+
+import re
+import subprocess
+import sys
+from pathlib import Path
+
+ROOT = Path(__file__).resolve().parents[3]
+SCRIPT = ROOT / "cases/ship_ice/level_ice.py"
+sys.path[:0] = [str(ROOT / "tests/cli"), str(ROOT / "cases/ship_ice")]
+from claims import claim, main  # noqa: E402
+
+# another ship than those of the cases, in thinner and stronger ice
+OPTIONS = ["--length", "120", "--beam", "20", "--draft", "7", "--stem", "28", "--waterline", "26", "--fullness", "1.6", "--displacement", "11000e3", "--friction", "0.1",
+           "--thickness", "0.8", "--young", "3e9", "--strength", "550e3", "--compressive-strength", "3e6", "--speed", "1.5"]  # fmt: skip
+
+
+def write(t, *options):
+    return subprocess.run([sys.executable, SCRIPT, *options, "--out", t.folder / "ship.yaml"], capture_output=True, text=True, check=False)
+
+
+@claim("level ice: the deck of a ship is accepted without a warning, with the strengths of its ice and a step below the stable one")
+def accepted(t):
+    said = write(t, *OPTIONS)
+    t.assertEqual(said.returncode, 0, said.stderr)
+    checked = t.expect_no_warning("check", "ship.yaml", "--out", "checked").out
+    t.assertIn("yields            at 3e+06 Pa in uniaxial compression", checked)
+    t.assertIn(f"flexural strength {550e3 * 15 / 16:.4g} Pa with 3 layers", checked)  # 1/(1 - ν²) times this in a wide sheet
+    t.assertLess(float(re.search(r"([\d.]+) of the exact critical step", checked)[1]), 0.62)
+    # the window starts to follow at the length of the bow, which the program measures on the hull
+    bow = float(re.search(r"bow, stern\s+([\d.]+)", t.expect_success("shape", "hull", "--length", "120", "--breadth", "20", "--draft", "7", "--freeboard", "6",
+        "--stem-angle", "28 deg", "--waterline-angle", "26 deg", "--fullness", "1.6", "--edge-length", "2", "--out", "hull.stl").out)[1])  # fmt: skip
+    start = float(re.search(r"start_after: (\d+) m", (t.folder / "ship.yaml").read_text(encoding="utf-8"))[1])
+    t.assertGreaterEqual(start, bow)
+    t.assertLess(start, bow + 1)
+
+
+@claim("level ice: the interval that the script prints for the mean is the end of the run, of ten cusps and more at the speed of the run")
+def interval(t):
+    said = write(t, *OPTIONS).stdout
+    begin, end = (float(number) for number in re.search(r"--from ([\d.]+) --to ([\d.]+)", said).groups())
+    t.assertAlmostEqual(end, float(re.search(r"end: ([\d.]+) s", (t.folder / "ship.yaml").read_text(encoding="utf-8"))[1]), delta=0.01)
+    length = (3e9 * 0.8**3 / (12 * (1 - 0.25**2) * 1025 * 9.81)) ** 0.25
+    t.assertGreater(1.5 * (end - begin), 10 * 0.32 * length - 0.02)
+
+
+@claim("level ice: a ship that is driven by a thrust is free in surge and heave, and floats")
+def driven(t):
+    t.assertEqual(write(t, *OPTIONS, "--thrust", "500e3").returncode, 0)
+    checked = t.expect_no_warning("check", "ship.yaml", "--out", "checked").out
+    t.assertIn("it floats at a draft of", checked)
+    deck = (t.folder / "ship.yaml").read_text(encoding="utf-8")
+    t.assertIn("free_dofs: [x, z]", deck)
+    t.assertIn("force: [-500 kN, 0, 0], times: [0, 22]", deck)  # 33 m of bow at 1.5 m/s
+
+
+@claim("level ice: data that are impossible, and a file that exists, are refused with a sentence")
+def refused(t):
+    for change, words in (
+        (["--thickness", "0"], "--thickness is 0, but must be positive."),
+        (["--waterline", "95"], "--waterline is 95, but must be an angle between 0 and 90 degrees."),
+        (["--compressive-strength", "5e5"], "must exceed --strength"),
+        (["--ice", "1030"], "does not float"),
+    ):
+        said = write(t, *OPTIONS, *change)
+        t.assertEqual(said.returncode, 2)
+        t.assertIn(words, said.stderr)
+        t.assertFalse((t.folder / "ship.yaml").exists())
+    (t.folder / "ship.yaml").write_text("mine", encoding="utf-8")
+    said = write(t, *OPTIONS)
+    t.assertIn("ship.yaml exists; remove it, or choose another --out.", said.stderr)
+    t.assertEqual((t.folder / "ship.yaml").read_text(encoding="utf-8"), "mine")
+
+
+if __name__ == "__main__":
+    main()
