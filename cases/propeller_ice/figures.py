@@ -7,7 +7,7 @@ fig21      panels of the propeller, and the contact bounds (figure 21 of the pap
 fig22      the sphere at four times, from ahead and from the side (figure 22)
 forces     thrust, torque and spindle torques against time, means over a millisecond
 fragments  the fragments at the end for four critical stretches
-crushed    thrust on ice that is crushed and on ice that fails in tension only, and the fragments of both at the end
+crushed    thrust on crushable ice, on ice that is crushed in contact and on ice that fails in tension only, and their fragments at the end
 """
 
 import sys
@@ -158,9 +158,10 @@ def fragments(results):
 
 
 def crushed(results):
-    figure, axes = plt.subplots(1, 3, figsize=(11, 3.6), width_ratios=(1.5, 1, 1))
+    figure, axes = plt.subplots(1, 4, figsize=(14, 3.6), width_ratios=(1.5, 1, 1, 1))
     runs = (("stretch_3.2e-4", "tension only", "#e8a15a"), ("stretch_3.2e-4_fine", "tension only, 40 across", "#b3312c"),
-            ("crushed", "crushed", "#8fb8d8"), ("crushed_fine", "crushed, 40 across", "#12355b"))  # fmt: skip
+            ("crushed", "crushable", "#8fb8d8"), ("crushed_fine", "crushable, 40 across", "#12355b"),
+            ("crushed_in_contact", "crushed in contact", "#77bb88"), ("crushed_in_contact_fine", "crushed in contact, 40 across", "#1b6b36"))  # fmt: skip
     for name, label, colour in runs:
         column = history(results / name)
         times = column["time [s]"]
@@ -169,7 +170,7 @@ def crushed(results):
     axes[0].set(xlabel="time [ms]", ylabel="thrust, mean over 1 ms [MN]", xlim=(4, 19))
     axes[0].grid(alpha=0.25)
     axes[0].legend(frameon=False, fontsize=9)
-    for axis, (name, label) in zip(axes[1:], (("stretch_3.2e-4", "tension only"), ("crushed", "crushed"))):
+    for axis, (name, label) in zip(axes[1:], (("stretch_3.2e-4", "tension only"), ("crushed", "crushable"), ("crushed_in_contact", "crushed in contact"))):
         picture, found = coloured(at(results / name, "ice", 1)[1], at(results / name, "propeller", 1)[1])
         show(axis, picture, f"{label}, at the end\n{found}")
     figure.subplots_adjust(left=0.06, right=0.995, top=0.86, bottom=0.14, wspace=0.03)
