@@ -86,10 +86,11 @@ def plastic_sphere(mass, speed, pressure, end):
 
 
 def draw_crushed(results):
-    figure, axes = plt.subplots(1, 2, figsize=(10, 4.2), sharex=True, layout="constrained")
+    figure, axes = plt.subplots(1, 3, figsize=(14, 4.2), sharex=True, layout="constrained")
     tension, crushed = ("stretch_3.2e-4_contact", "tension only", "#b3312c"), ("crushed_20", "crushed", "#2a6fb0")
     steps_and_spacing = (("crushed_20_step_2", "step/2", "#8fb8d8"), ("crushed_20_step_4", "step/4", "#9aa7b5"), ("crushed_40", "40 across", "#12355b"))
-    for axis, runs, title in zip(axes, ((tension, crushed), (crushed, *steps_and_spacing)), ("critical stretch 3.2e-4, 20 across", "crushed: time step and spacing")):
+    in_contact = (("crushed_in_contact_20", "crushed in contact", "#1b6b36"), ("crushed_in_contact_40", "the same, 40 across", "#77bb88"))
+    for axis, runs, title in zip(axes, ((tension, crushed), (crushed, *steps_and_spacing), in_contact), ("critical stretch 3.2e-4, 20 across", "rigid contact: time step and spacing", "crushed in contact")):
         for name, label, colour in runs:
             times, steps, force, mass, speed, *_ = plate_force(results / name)
             first = np.flatnonzero(force > 0)[0]

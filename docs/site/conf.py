@@ -16,7 +16,7 @@ NAVIGATION = {
     "Guide": [
         "guide/getting_started", "guide/install", "guide/tutorials/1_plate", "guide/tutorials/2_your_part", "guide/tutorials/3_ice_and_hull", "guide/comparison",
         "guide/units_and_axes", "guide/solids", "guide/user_materials", "guide/surface_meshes", "guide/shapes", "guide/surface_formats",
-        "guide/real_surfaces", "guide/elastic_impactors", "guide/spacing_and_layers", "guide/calibration", "guide/contact_bounds", "guide/results", "guide/loads", "guide/report", "guide/restart", "guide/command_line", "guide/messages", "guide/cluster", "guide/gpu", "guide/python", "guide/python_reference",
+        "guide/real_surfaces", "guide/elastic_impactors", "guide/spacing_and_layers", "guide/calibration", "guide/ship_in_level_ice", "guide/contact_bounds", "guide/results", "guide/loads", "guide/report", "guide/restart", "guide/command_line", "guide/messages", "guide/cluster", "guide/gpu", "guide/python", "guide/python_reference",
         "guide/troubleshooting", "guide/diagnoses", "guide/errors"],
     "Deck reference": ["guide/deck/index"] + [f"guide/deck/{name}" for name in (
         "time", "bodies", "moving_window", "shapes", "cracks", "particle_sets", "materials", "ice", "plasticity", "failure", "boundary_conditions", "impactors", "surfaces",

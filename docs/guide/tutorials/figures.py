@@ -67,13 +67,13 @@ def ice(results):
     figure, axes = plt.subplots(1, 4, figsize=(13, 3.3), width_ratios=(1, 1, 1, 1.25), layout="constrained")
     first = read_vtp(results / "frames/sheet_00000.vtp").points
     top = first[:, 2] > first[:, 2].max() - 0.1
-    for one, number in zip(axes, (4, 8, 20)):
+    for one, number in zip(axes, (5, 10, 20)):
         frame = read_vtp(results / f"frames/sheet_{number:05d}.vtp")
-        dots = draw_particles(one, frame.points[top, :2], frame.point["damage"][top], 8, "magma_r", 1, ("x [m]", "y [m]" if number == 4 else ""))
+        dots = draw_particles(one, frame.points[top, :2], frame.point["damage"][top], 6, "magma_r", 1, ("x [m]", "y [m]" if number == 5 else ""))
         ship = read_vtp(results / f"frames/ship_{number:05d}.vtp").points
         line = ship[np.abs(ship[:, 2]) < 0.12]  # near the waterline
         one.scatter(line[:, 0], line[:, 1], s=3, color="#2f7f9c")
-        one.set(xlim=(-12.5, 3), ylim=(-6.5, 6.5), title=f"{frame.time:.2f} s")
+        one.set(xlim=(-18.5, 3), ylim=(-9.5, 9.5), title=f"{frame.time:.2f} s")
     figure.colorbar(dots, ax=axes[2], label="damage of the upper layer", shrink=0.8)
     draw_curve(axes[3], results, "ship.force_x [N]", (1, "s"), 1e6, "resistance [MN]")
     figure.savefig(HERE / "3_ice_and_hull.png", dpi=90)
