@@ -13,6 +13,7 @@ from pathlib import Path
 
 from decks import HERE, SAMPLE, sample, ship_in, tests  # which makes ../ship_ice importable
 from resistance import iso_19906, lindqvist, riska
+from window import sizes_of_floes
 
 sys.path.insert(0, str(HERE / "../../scripts/results"))
 from csv_reader import history  # noqa: E402
@@ -44,10 +45,12 @@ def measure(folder):
     if last < end - 0.01 * SAMPLE / speed:
         sys.exit(f"{folder} ends at {last:.1f} s, but the sample of test {number} is from {begin:.1f} to {end:.1f} s. Continue it with --resume.")
     force = load_statistics(folder, "ship.force_x", begin, end)
+    largest, median = sizes_of_floes(folder)
     return {
         "test": number, "from [s]": f"{begin:.2f}", "to [s]": f"{min(end, last):.2f}", "mean F_x [N]": force["mean"], "standard error [N]": force["standard_error"],
         "standard error is a lower bound": force["standard_error_is_bound"], "standard deviation [N]": force["standard_deviation"],
         "contact work [J]": f"{-columns['ship.contact_work [J]'][-1]:.6g}", "energy balance error [J]": f"{abs(columns['total.energy_balance_error [J]']).max():.4g}",
+        "largest floe [m]": f"{largest:.3g}", "median floe by mass [m]": f"{median:.3g}",
     }  # fmt: skip
 
 
