@@ -6,7 +6,7 @@ Methods in Structural Mechanics, 1965). The stem with the entrance half-angle α
 the pressure p, so that its vertical force is p a² tan α. Two sheets: a whole one, and one that a radial crack along y = 0 has split. Printed is the force at which the
 largest principal stress along the track reaches the flexural strength: at the bottom (radial crack) and at the top (circumferential crack), with the distance ahead
 of the edge.
-Independent of peridynamics, and of the program. SI units, angles in degrees.
+Independent of peridynamics, and of the program. SI units, angles in degrees. Needs numpy and scipy.
 """
 
 import argparse

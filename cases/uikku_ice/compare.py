@@ -2,7 +2,7 @@
 """Measured resistance, formulas and runs: compare.py [RESULTS ...]
 
 RESULTS: folders of runs, each of the deck whose test is in its title. They are measured, and their rows in results.csv are replaced: the mean of F_x on the
-ship over the last SAMPLE metres of travel, with the standard error of block averages of `perimpact statistics`. Then the table of README.md is printed.
+ship over the sample, the last metres of travel, with the standard error of block averages of `perimpact statistics`. Then the table of README.md is printed.
 """
 
 import csv
@@ -11,7 +11,7 @@ import re
 import sys
 from pathlib import Path
 
-from decks import HERE, SAMPLE, sample, ship_in, tests  # which makes ../ship_ice importable
+from decks import HERE, ship_in, tests  # which makes ../ship_ice importable
 from resistance import iso_19906, lindqvist, riska
 from window import sizes_of_floes
 
@@ -39,10 +39,9 @@ def measure(folder):
     if ", free" in title:
         sys.exit(f"{folder} is a run of free.yaml, whose ship has no speed of its own; compare its mean velocity with that of the test.")
     number = int(re.search(r"test (\d+)", title)[1])
-    speed, columns = tests()[number]["speed"], history(folder)
-    begin, last = sample(speed), columns["time [s]"][-1]
-    end = begin + SAMPLE / speed
-    if last < end - 0.01 * SAMPLE / speed:
+    run, columns = ship_in(tests()[number]), history(folder)
+    begin, end, last = run.sample_begins, run.ends, columns["time [s]"][-1]
+    if last < end - 0.01 * (end - begin):
         sys.exit(f"{folder} ends at {last:.1f} s, but the sample of test {number} is from {begin:.1f} to {end:.1f} s. Continue it with --resume.")
     force = load_statistics(folder, "ship.force_x", begin, end)
     largest, median = sizes_of_floes(folder)

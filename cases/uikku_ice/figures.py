@@ -11,7 +11,7 @@ import matplotlib
 
 matplotlib.use("Agg")
 import matplotlib.pyplot as plt  # noqa: E402
-from decks import HERE, approach, sample, tests  # noqa: E402  which makes ../ship_ice importable
+from decks import HERE, ship_in, tests  # noqa: E402  which makes ../ship_ice importable
 from measure import window_means  # noqa: E402
 
 sys.path.insert(0, str(HERE / "../../scripts/results"))
@@ -28,11 +28,11 @@ def draw_force(folder, test, file):
     axis.fill_between(time, force, color="#a9c9e0", step="pre", label=f"rows of history.csv, {time[2] - time[1]:.3g} s")
     smooth = window_means(time, force, 2.0)
     axis.plot(time[: len(smooth)] + 1, smooth, color="#b3312c", linewidth=1.2, label="mean over 2 s")
-    begin = sample(test["speed"])
+    begin = ship_in(test).sample_begins
     if time[-1] > begin:
         axis.hlines(force[time > begin].mean(), begin, time[-1], color="#20506e", linewidth=1.6, label="mean of the sample")
     axis.axhline(test["resistance"], color="#3a3a3a", linestyle="--", linewidth=1, label="measured mean")
-    axis.axvspan(0, approach(test["speed"]), color="#000000", alpha=0.06, linewidth=0)
+    axis.axvspan(0, ship_in(test).approach_time, color="#000000", alpha=0.06, linewidth=0)
     axis.set_ylabel("F_x, resistance [kN]"), axis.set_xlabel("time [s]; grey: 1.5 m/s, until the bow is in the ice")
     axis.set_xlim(0, time[-1]), axis.set_ylim(0, 1.1 * smooth.max())
     axis.legend(fontsize=9, loc="upper left")

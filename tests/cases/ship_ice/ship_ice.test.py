@@ -38,7 +38,7 @@ def _(t):
 
 @claim("ship: the sheet that follows the ship has the water, the dry top and the damping at its edges that follow from its plate")
 def _(t):
-    from decks import RIM_DAMPING, deflection_at_breaking
+    from level_ice import RIM_DAMPING, deflection_at_breaking
     from resistance import GRAVITY, ShipInIce
 
     text = (CASE / "window.yaml").read_text(encoding="utf-8")

@@ -11,7 +11,8 @@ ROOT = Path(__file__).resolve().parents[3]
 CASE = ROOT / "cases/uikku_ice"
 sys.path[:0] = [str(ROOT / "tests/cli"), str(CASE)]
 from claims import claim, main  # noqa: E402
-from decks import deck, deflection_at_breaking, name_of, ship_in, tests  # noqa: E402
+from decks import deck, name_of, ship_in, tests  # noqa: E402
+from level_ice import deflection_at_breaking  # noqa: E402
 from resistance import ShipInIce  # noqa: E402
 
 
