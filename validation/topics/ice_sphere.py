@@ -23,6 +23,7 @@ def measure(runner):
     oblique = found("hertz_oblique_40", OBLIQUE, "bodies.ice.spacing=0.025", "output.history_interval=0.05 ms", "output.frames=0")
     crushed = found("crushed_20", CRUSHED)
     halved = found("crushed_20_step_2", CRUSHED, "time.step=9.5 us")
+    in_contact = found("crushed_in_contact_20", CRUSHED, "contact.impactors.crushing_pressure=2.3 MPa")
     return {
         "dust": dust["impulse [-]"],
         "unbroken": unbroken["impulse [-]"],
@@ -35,6 +36,8 @@ def measure(runner):
         "crushed energy falls": halved["energy balance error [-]"] / crushed["energy balance error [-]"],
         "crushed peak": crushed["peak, 1 ms [N]"] / 1e6,
         "crushed peak changes": halved["peak, 1 ms [N]"] / crushed["peak, 1 ms [N]"],
+        "crushed in contact": in_contact["p_c [Pa]"] / 2.3e6,
+        "crushed in contact, time": in_contact["time to 90 % over the formula's [-]"],
         "crushed flow changes": halved["plastic dissipation [-]"] / crushed["plastic dissipation [-]"],
     }
 
@@ -56,6 +59,8 @@ def rows():
         Row("the same at half the step over that at the full step", "first order in the step: 0.5", "crushed energy falls", "", Within(0.5, 0.25), "fragments differ between the runs"),
         Row("ice that is crushed: peak force at half the step over that at the full step", "independent of the step", "crushed peak changes", "", Within(1, 0.1), "stresses return to within 5 % of the strength, and fragments differ between the runs"),
         Row("the same: plastic dissipation", "independent of the step", "crushed flow changes", "", Within(1, 0.1), "as above"),
+        Row("ice that is crushed in contact: pressure p_c of the plastic sphere that loses half of its momentum in the same time, over crushing_pressure", "F = 2πR p_c d", "crushed in contact", "", Within(1, 0.15), "layers of the lattice, parallel to the plate, are crushed one after the other"),
+        Row("the same: time in which it loses 90 % of its momentum, over that of the formula", "F = 2πR p_c d", "crushed in contact, time", "", Within(1, 0.15), "half of the sphere is in other fragments by then"),
         Row("peak force over Hertz, 40 across, oblique lattice", hertz, "hertz peak", "", Within(1, 0.05), "the contact radius is a quarter of the sphere's, and waves need a sixth of the contact time to cross the sphere: a few per cent at best"),
         Row("duration over Hertz, 40 across, oblique lattice", hertz, "hertz duration", "", Within(1, 0.05), "as above"),
     ]  # fmt: skip

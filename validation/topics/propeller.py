@@ -13,6 +13,7 @@ CRUSHED = (
     "bodies.ice.material.critical_stretch=3.2e-4",
     "bodies.ice.material.plasticity={compressive_strength: 2.3 MPa, failure_strain: 0.003, failure_pressure: 0.2, failure_width: 3, friction_angle: 30 deg}",
 )
+IN_CONTACT = ("contact.impactors.crushing_pressure=2.3 MPa", "time.end=19.3 ms", "output.frames=0")  # the peak is at 16 ms
 WHOLE = ("bodies.ice.material.critical_stretch=0.032", "time.end=30 ms", "output.frames=0")  # a sphere that hardly breaks: insensitive to small differences
 
 
@@ -27,6 +28,9 @@ def measure(runner):
         runner.run("propeller", "bounds_auto", DECK, f"{BOUNDS}={{auto: {{}}}}", "output.frames=0"),
     )}  # fmt: skip
     crushed = script.measure(runner.run("propeller", "crushed", DECK, *CRUSHED))
+    in_contact = {name: script.forces(script.history(runner.run("propeller", f"crushed_in_contact{name}", DECK, *CRUSHED, *IN_CONTACT, *settings))) for name, settings in (
+        ("", ()), ("_half_step", ("time.step=9.5 us",)), ("_fine", ("bodies.ice.spacing=0.025",)))}  # fmt: skip
+    peaks = {name: forces["thrust: peak [N]"] for name, forces in in_contact.items()}
     refused = runner.call("check", ROOT / "cases/propeller_ice/as_printed.yaml")
     numbers = {
         "positions": float(found["positions near the propeller [-]"]),
@@ -34,6 +38,8 @@ def measure(runner):
         "drift": freed["drift [-]"],
         "crushed inside": float(crushed["inside [-]"]),
         "crushed energy": crushed["energy balance error [-]"],
+        "crushed in contact, half step": peaks["_half_step"] / peaks[""],
+        "crushed in contact, half spacing": peaks["_fine"] / peaks[""],
         "states": float(len(hashes)),
         "printed": float(re.search(r"is (\S+) times the critical time step", refused.stderr)[1]),
     }
@@ -60,6 +66,8 @@ def rows():
         Row("particles inside hub or blades, over all frames", "ray casting, independent of the program", "inside", "count", Exactly(0), "a count"),
         Row("the same with ice that is crushed", "ray casting", "crushed inside", "count", Exactly(0), "a count"),
         Row("ice that is crushed: energy balance error over the initial kinetic energy of the ice", "energy balance", "crushed energy", "small", AtMost(1e-3), "flow, and contact between fragments, of first order in the step"),
+        Row("ice that is crushed in contact: peak thrust at half the step over that at the full step", "independent of the step", "crushed in contact, half step", "", Within(1, 0.05), "fragments differ between the runs"),
+        Row("the same at half the spacing", "independent of the spacing: the pressure of crushing times an area", "crushed in contact, half spacing", "", Within(1, 0.1), "the area of contact is resolved by particles of a twentieth of the sphere"),
         Row("momentum of ice and free propeller", "initial momentum of the ice", "drift", "small", AtMost(1e-12), "rounding over several thousand steps"),
         Row("distinct final states of runs without contact bounds, with fitted sectors, with fitted boxes", "one: contact bounds reject only particles that cannot be in contact", "states", "count", Exactly(1), "hashes of the whole state"),
         Row("peak thrust: panels of 0.15 m, 0.05 m at edges", fine, "graded off", "%", Within(0, 0.03), "the same blade, meshed differently; 3 % is the effect of panels on a sphere that breaks"),
