@@ -34,7 +34,7 @@ def draw_force(folder, test, file):
     axis.axhline(test["resistance"], color="#3a3a3a", linestyle="--", linewidth=1, label="measured mean")
     axis.axvspan(0, ship_in(test).approach_time, color="#000000", alpha=0.06, linewidth=0)
     axis.set_ylabel("F_x, resistance [kN]"), axis.set_xlabel("time [s]; grey: 1.5 m/s, until the bow is in the ice")
-    axis.set_xlim(0, time[-1]), axis.set_ylim(0, 1.1 * smooth.max())
+    axis.set_xlim(0, time[-1]), axis.set_ylim(0, 1.1 * max(smooth.max(), test["resistance"]))
     axis.legend(fontsize=9, loc="upper left")
     figure.tight_layout()
     figure.savefig(file, dpi=95)
