@@ -14,7 +14,7 @@ from dataclasses import dataclass, fields
 from math import ceil, exp, pi, radians, sqrt, tan
 from pathlib import Path
 
-from resistance import GRAVITY, ShipInIce, help_of_fields
+from resistance import GRAVITY, ShipInIce, cusps, help_of_fields
 
 LAYERS = 3  # with a horizon of two spacings: they crack at the load of theory and at one place (docs/theory/floating_strip.md)
 STEP = 0.5  # over spacing/√(E/ρ), with ρ of the scaled mass; `perimpact check` accepts up to 0.55 for such decks
@@ -52,12 +52,12 @@ class LevelIceRun(ShipInIce):
     @property
     def travels(self):
         """Travel at the speed of the run before the sample, and in it [m]."""
-        return self.lead_in or float(ceil(self.characteristic_length)), self.sample or float(ceil(3.2 * self.characteristic_length))
+        return self.lead_in or float(ceil(self.characteristic_length)), self.sample or float(ceil(10 * cusps(self)["length at rest"]))
 
     @property
     def entrained_depth(self):
         """Depth of the water that moves with a cusp, (2/π) 0.32 l [m] (docs/theory/floating_bodies.md)."""
-        return 2 / pi * 0.32 * self.characteristic_length
+        return 2 / pi * cusps(self)["length at rest"]
 
     @property
     def mass_scaling(self):
@@ -100,6 +100,12 @@ def deflection_at_breaking(ship):
     return 2 * load * wavenumber / foundation
 
 
+def metres(size, cells, spacing):
+    """A size as text, with as few digits as make it `cells` spacings as written in the deck, which may be off by 1e-6 of it."""
+    texts = (f"{size:.{digits}g}" for digits in range(6, 18))
+    return next(text for text in texts if abs(float(text) / (cells * float(spacing)) - 1) < 9e-7)
+
+
 def refuse(sentence):
     print(sentence, file=sys.stderr)
     sys.exit(2)
@@ -107,9 +113,12 @@ def refuse(sentence):
 
 def expect_possible(run):
     """Exits with a sentence where no deck can be written."""
-    for name in ("length", "beam", "draft", "speed", "thickness", "strength", "young", "ice", "water", "displacement", "compressive_strength", "approach_speed", "fullness"):
+    for name in ("length", "beam", "draft", "speed", "thickness", "strength", "young", "ice", "water", "displacement", "compressive_strength", "approach_speed", "fullness", "ahead", "beside"):
         if not getattr(run, name) > 0:
             refuse(f"--{name.replace('_', '-')} is {getattr(run, name):g}, but must be positive.")
+    for name in ("friction", "ice_friction", "crushing_pressure", "edge_length", "bow_edge_length", "lead_in", "sample", "thrust"):
+        if not getattr(run, name) >= 0:
+            refuse(f"--{name.replace('_', '-')} is {getattr(run, name):g}, but must not be negative.")
     for name in ("stem", "waterline"):
         if not 0 < getattr(run, name) < 90:
             refuse(f"--{name} is {getattr(run, name):g}, but must be an angle between 0 and 90 degrees.")
@@ -122,6 +131,7 @@ def expect_possible(run):
 def deck(run, title, heading, folder):
     """The deck as text. `heading`: comment lines before the title; `folder` of the results."""
     spacing, travels = run.spacing, sum(run.travels)
+    written = f"{spacing:.7g}"
     along = 8 * ceil((run.astern + run.ahead * run.characteristic_length) / spacing / 8)
     across = 2 * ceil((run.beam / 2 + run.beside * run.characteristic_length) / spacing)
     long, wide, edge, layer = along * spacing, across * spacing, 3 * spacing, f"{spacing / 2:.4g} m"
@@ -139,17 +149,16 @@ def deck(run, title, heading, folder):
     # until the full breadth is in the ice the thrust grows as the bow does in it
     loads: {{thrust: {{force: [{-1e-3 * run.thrust:g} kN, 0, 0], times: [0, {run.astern / run.speed:g}], factors: [0, 1]}}}}"""
     flexural = 1e-3 * (1 - run.poisson**2) * run.strength
-    return f"""# yaml-language-server: $schema=../../docs/guide/deck.schema.json
-{heading}
+    return f"""{heading}
 title: {title}
 
 time: {{end: {run.ends:.5g} s, step: {1e3 * run.step:.3g} ms}}                 # {run.astern + travels:g} m of travel
 
 bodies:
   sheet:
-    shape: {{box: {{size: [{long:.6g} m, {wide:.6g} m, {run.thickness:g} m]}}}}
+    shape: {{box: {{size: [{metres(long, along, written)} m, {metres(wide, across, written)} m, {metres(run.thickness, LAYERS, written)} m]}}}}
     position: [{-long / 2:.6g} m, 0, {run.thickness / 2 - draft:.4g} m]         # in floating equilibrium
-    spacing: {spacing:.7g} m                       # {along} x {across} x {LAYERS} particles
+    spacing: {written} m                       # {along} x {across} x {LAYERS} particles
     horizon_ratio: 2.015
     bending_calibration: z
     mass_scaling: {scaling:.3g}                            # the water that moves with a cusp
@@ -207,7 +216,7 @@ output:
 
 def main():
     parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
-    descriptions = help_of_fields(__file__) | help_of_fields(sys.modules[ShipInIce.__module__].__file__)
+    descriptions = help_of_fields(__file__) | help_of_fields(Path(__file__).with_name("resistance.py"))
     formulas_alone = {"poisson", "parallel", "bow", "ride_up", "porosity", "repose", "cohesion", "inner_friction"}  # bond-based ice has ν = 1/4
     for field in fields(LevelIceRun):
         if field.name in formulas_alone:
@@ -222,7 +231,7 @@ def main():
     if out.exists():
         refuse(f"{out} exists; remove it, or choose another --out.")
     title = f"A ship of {run.length:g} m in {run.thickness:g} m of level ice, {f'driven by {1e-3 * run.thrust:g} kN' if run.thrust else f'at {run.speed:g} m/s'}"
-    heading = "# Written by level_ice.py: why each number is what it is, says docs/guide/ship_in_level_ice.md."
+    heading = "# Written by level_ice.py. The guide page 'A ship in level ice' (docs/guide/ship_in_level_ice.md) gives the reason for each number."
     out.write_text(deck(run, title, heading, f"results/{out.stem}"), encoding="utf-8")
     print(f"{out}: {run.astern + sum(run.travels):g} m of travel, about {round(run.ends / run.step, -3):.0f} steps")
     if not run.thrust:

@@ -45,7 +45,8 @@ def ship_in(test):
 def deck(number, test, is_free=False):
     """The deck of a test; of a ship that is free in surge and heave and driven by the resistance that was measured, where `is_free`."""
     run = replace(ship_in(test), thrust=1e3 * test["resistance"] if is_free else 0.0)
-    heading = f"""# MT Uikku in level ice, model test {number} of Hu and Zhou (2016) at full scale. Written by decks.py: why each number is what it is, and what was
+    heading = f"""# yaml-language-server: $schema=../../docs/guide/deck.schema.json
+# MT Uikku in level ice, model test {number} of Hu and Zhou (2016) at full scale. Written by decks.py: why each number is what it is, and what was
 # measured, is in README.md of this folder."""
     title = f"MT Uikku{', free' if is_free else ''}, test {number}, {run.thickness:g} m of ice at {run.speed:g} m/s"
     return deck_of(run, title, heading, f"results/uikku_ice_{'free' if is_free else number}")

@@ -9,6 +9,7 @@ ROOT = Path(__file__).resolve().parents[3]
 SCRIPT = ROOT / "cases/ship_ice/level_ice.py"
 sys.path[:0] = [str(ROOT / "tests/cli"), str(ROOT / "cases/ship_ice")]
 from claims import claim, main  # noqa: E402
+from level_ice import LAYERS, LevelIceRun, deck  # noqa: E402
 
 # another ship than those of the cases, in thinner and stronger ice
 OPTIONS = ["--length", "120", "--beam", "20", "--draft", "7", "--stem", "28", "--waterline", "26", "--fullness", "1.6", "--displacement", "11000e3", "--friction", "0.1",
@@ -33,6 +34,18 @@ def accepted(t):
     start = float(re.search(r"start_after: (\d+) m", (t.folder / "ship.yaml").read_text(encoding="utf-8"))[1])
     t.assertGreaterEqual(start, bow)
     t.assertLess(start, bow + 1)
+
+
+@claim("level ice: the deck of the script's own ship is accepted, and sheets of any thickness are whole numbers of spacings")
+def whole(t):
+    t.assertEqual(write(t).returncode, 0)
+    t.expect_no_warning("check", "ship.yaml", "--out", "checked")
+    for hundredths in range(20, 400):
+        text = deck(LevelIceRun(thickness=hundredths / 100), "title", "# heading", "results/r")
+        sizes = re.search(r"box: {size: \[(\S+) m, (\S+) m, (\S+) m\]}}\n", text).groups()
+        counts = re.search(r"spacing: (\S+) m +# (\d+) x (\d+) x", text).groups()
+        for size, count in zip(sizes, (*counts[1:], LAYERS)):
+            t.assertLess(abs(float(size) / float(counts[0]) / int(count) - 1), 1e-6, hundredths)  # which the program accepts
 
 
 @claim("level ice: the interval that the script prints for the mean is the end of the run, of ten cusps and more at the speed of the run")
@@ -61,6 +74,8 @@ def refused(t):
         (["--waterline", "95"], "--waterline is 95, but must be an angle between 0 and 90 degrees."),
         (["--compressive-strength", "5e5"], "must exceed --strength"),
         (["--ice", "1030"], "does not float"),
+        (["--ahead=-1"], "--ahead is -1, but must be positive."),
+        (["--friction=-0.1"], "--friction is -0.1, but must not be negative."),
     ):
         said = write(t, *OPTIONS, *change)
         t.assertEqual(said.returncode, 2)
