@@ -8,7 +8,7 @@ peak, at      the largest mean over a row of history.csv (0.1 or 0.05 ms), and t
               means over a millisecond, for ice that breaks
 duration      from the first row with a force to the end of the last one, if the sphere stays intact
 fragments     connected components of intact bonds at the end that have more than 1 % of the mass, and the share of the largest
-dissipation   plastic; like the largest energy balance error over the initial kinetic energy of the ice
+dissipation   plastic, and by crushing in contact; like the largest energy balance error over the initial kinetic energy of the ice
 p_c           of a plastic sphere, F = 2πR p_c d at the depth d: v √(2πR p_c m) at most, no speed after T = π/2 √(m/(2πR p_c)). It loses half of its
               momentum in 2/3 T, 90 % in 0.936 T: p_c is from the first of these times, the other time and the largest force (mean over a
               millisecond) are over those of the formulas with this p_c
@@ -82,6 +82,8 @@ def measure(folder):
     if "fragments" in body:
         found["fragments above 1 % [-]"] = body["fragments"]["above_1_percent"]
         found["largest fragment [-]"] = body["fragments"]["largest [kg]"] / mass
+    if "plate.crushing_dissipation [J]" in column:
+        found["crushing dissipation [-]"] = column["plate.crushing_dissipation [J]"][-1] / kinetic
     if "ice.plastic_dissipation [J]" in column:
         found["plastic dissipation [-]"] = column["ice.plastic_dissipation [J]"][-1] / kinetic
         half, late = (np.interp(share * mass * speed, np.cumsum(force * steps), times) - begin for share in (0.5, 0.9))

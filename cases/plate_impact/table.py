@@ -15,7 +15,10 @@ from pathlib import Path
 import numpy as np
 from results import read_columns
 
-HERE = Path(__file__).parent
+HERE = Path(__file__).resolve().parent
+sys.path.insert(0, str(HERE / "../../scripts/results"))
+from page_table import write_table  # noqa: E402
+
 RADIUS = 25e-3  # [m] of the cylinder
 
 # folder of the results: its name in the README
@@ -132,20 +135,14 @@ def detection_table(results):
     return lines
 
 
-def write(text, name, lines):
-    begin, end = f"<!-- table.py: {name} -->", "<!-- end -->"
-    pattern = re.compile(re.escape(begin) + ".*?" + re.escape(end), re.DOTALL)
-    return pattern.sub(lambda _: "\n".join([begin, *lines, end]), text)
-
-
 def main():
     results = Path(sys.argv[1] if len(sys.argv) > 1 else "results/plate_impact")
     histories = {name: read_columns(results / name / "history.csv") for name in VARIANTS}
     page = HERE / "README.md"
     text = page.read_text()
-    text = write(text, "variants", main_table(histories, read_expected()))
-    text = write(text, "panels", panel_table(histories))
-    text = write(text, "detection", detection_table(results))
+    text = write_table(text, "variants", main_table(histories, read_expected()))
+    text = write_table(text, "panels", panel_table(histories))
+    text = write_table(text, "detection", detection_table(results))
     page.write_text(text)
     print(f"wrote the tables of {page}")
 

@@ -11,7 +11,7 @@ inside           particles inside, over all frames, by winding number: along a r
                  smallest distance of any particle from any triangle. Independent of the program: only the positions of particles and
                  panels are read from the frames.
 drift            largest change of the total linear momentum over the initial momentum of the ice (for a free propeller)
-energy           largest energy balance error, and plastic dissipation, both over the initial kinetic energy of the ice
+energy           largest energy balance error, plastic dissipation, and that of crushing in contact, all over the initial kinetic energy of the ice
 """
 
 import csv
@@ -151,6 +151,8 @@ def energy(column):
     found = {"energy balance error [-]": np.abs(column["total.energy_balance_error [J]"]).max() / kinetic}
     if "ice.plastic_dissipation [J]" in column:
         found["plastic dissipation [-]"] = column["ice.plastic_dissipation [J]"][-1] / kinetic
+    if "propeller.crushing_dissipation [J]" in column:
+        found["crushing dissipation [-]"] = column["propeller.crushing_dissipation [J]"][-1] / kinetic
     return found
 
 

@@ -4,11 +4,12 @@
     /usr/bin/python3 table.py [RESULTS]          default: results/propeller_ice
 """
 
-import re
 import sys
 from pathlib import Path
 
-from measure import cost, energy, forces, fragments, history, report
+import numpy as np
+from measure import cost, energy, forces, fragments, history, report  # which makes scripts/results importable
+from page_table import write_table
 
 HERE = Path(__file__).parent
 
@@ -24,6 +25,7 @@ CRUSHED = {
     "crushed_in_contact_half_step": "half of the time step",
     "crushed_in_contact_fine": "40 across, to 19.3 ms",
 }
+DISSIPATIONS = "plastic dissipation [-]", "crushing dissipation [-]"
 SENSITIVITY = {
     "deck": "**deck**",
     "panels_coarse": "panels twice as large (0.3 m, 0.1 m at edges)",
@@ -88,15 +90,27 @@ def crushed(results):
     lines = head("ice", "fragments above 1 %", "largest", "bonds broken", "peak thrust [MN]", "peak torque [MN m]", "thrust's impulse [kN s]", "plastic dissipation",
                  "dissipated by crushing in contact", "energy balance error")  # fmt: skip
     for name, title in CRUSHED.items():
-        n, column = numbers(results, name), history(results / name)
-        kinetic = column["ice.kinetic_energy [J]"][0]
-        crushing = column.get("propeller.crushing_dissipation [J]")
-        plastic = f"{n['plastic dissipation [-]']:.2f}" if "plastic dissipation [-]" in n else ""
+        n = numbers(results, name)
         lines.append("| " + " | ".join([
             title, str(n["fragments above 1 % of the mass [-]"]), share(n["largest fragment [-]"]), share(n["broken bonds [-]"]), mega(n["thrust: peak [N]"]),
-            mega(n["torque: peak [N m]"]), kilo(n["thrust: impulse [N s]"]), plastic, "" if crushing is None or not crushing[-1] else f"{crushing[-1] / kinetic:.2f}",
+            mega(n["torque: peak [N m]"]), kilo(n["thrust: impulse [N s]"]), *(f"{n[key]:.2f}" if key in n else "" for key in DISSIPATIONS),
             f"{n['energy balance error [-]']:.1e}".replace("e-0", "e-"),
         ]) + " |")  # fmt: skip
+    return lines
+
+
+def coarse_by_then(results):
+    """The runs of 20 across at the end of those of 40 across."""
+    lines = head("20 across", "at [ms]", "bonds broken", "thrust's impulse [kN s]", "plastic dissipation", "dissipated by crushing in contact")
+    for name in ("crushed", "crushed_in_contact"):
+        run, column = report(results / name), history(results / name)
+        times = column["time [s]"]
+        until = times <= history(results / f"{name}_fine")["time [s]"][-1]
+        column = {key: values[until] for key, values in column.items()}
+        impulse = (column["propeller.shaft.force_x [N]"] * np.diff(column["time [s]"], prepend=0)).sum()
+        found, broken = energy(column), column["ice.broken_bonds [-]"][-1] / run["bodies"]["ice"]["bonds"]
+        lines.append("| " + " | ".join([CRUSHED[name].replace("*", ""), f"{1e3 * column['time [s]'][-1]:.2f}", share(broken), kilo(impulse),
+                                        *(f"{found[key]:.2f}" if key in found else "" for key in DISSIPATIONS)]) + " |")  # fmt: skip
     return lines
 
 
@@ -126,18 +140,11 @@ def bounds(results):
     return lines
 
 
-def write(text, name, lines):
-    begin, end = f"<!-- table.py: {name} -->", "<!-- end -->"
-    pattern = re.compile(re.escape(begin) + ".*?" + re.escape(end), re.DOTALL)
-    assert pattern.search(text), f"README.md has no table {name}"
-    return pattern.sub(lambda _: "\n".join([begin, *lines, end]), text)
-
-
 def main(results):
     page = HERE / "README.md"
     text = page.read_text(encoding="utf-8")
-    for name, table in (("fragmentation", fragmentation), ("crushed", crushed), ("sensitivity", sensitivity), ("bounds", bounds)):
-        text = write(text, name, table(results))
+    for name, table in (("fragmentation", fragmentation), ("crushed", crushed), ("by then", coarse_by_then), ("sensitivity", sensitivity), ("bounds", bounds)):
+        text = write_table(text, name, table(results))
     page.write_text(text, encoding="utf-8")
 
 

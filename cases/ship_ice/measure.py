@@ -78,13 +78,17 @@ def bow_length(hull):
     return hull["fullness"] * hull["breadth"] / 2 / np.tan(hull["waterline_angle"])
 
 
+def breadth_of_waterline(hull, behind):
+    """[m] that far behind the stem [m]: y = B/2 (1 - (1 - t)^p) in the bow; 0 ahead of it."""
+    return hull["breadth"] * (1 - (1 - np.clip(behind / bow_length(hull), 0, 1)) ** hull["fullness"])
+
+
 def breadth_in_ice(hull, travel):
-    """[m] of the waterline, that far behind the stem, and its mean in front of there: y = B/2 (1 - (1 - t)^p) in the bow."""
+    """[m] of the waterline, that far behind the stem, and its mean in front of there."""
     breadth, fullness, length = hull["breadth"], hull["fullness"], bow_length(hull)
-    inside = min(travel, length)
-    rest = 1 - inside / length
+    rest = 1 - min(travel, length) / length
     area = breadth * (travel - length * (1 - rest ** (fullness + 1)) / (fullness + 1))
-    return breadth * (1 - rest**fullness), area / travel
+    return breadth_of_waterline(hull, travel), area / travel
 
 
 @functools.cache  # tables and figures use the same runs

@@ -12,9 +12,10 @@ Independent of peridynamics, and of the program. SI units, angles in degrees. Ne
 import argparse
 from dataclasses import replace
 from math import radians, tan
+from pathlib import Path
 
 import numpy as np
-from resistance import GRAVITY, ShipInIce
+from resistance import GRAVITY, ShipInIce, help_of_fields
 from scipy.sparse import coo_matrix
 from scipy.sparse.linalg import splu
 
@@ -132,8 +133,9 @@ def breaking(plate, half_angle, pressure, side):
 def main():
     parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
     ice = ShipInIce(strength=768e3)
+    descriptions = help_of_fields(Path(__file__).with_name("resistance.py"))
     for name in ("thickness", "young", "strength", "waterline"):
-        parser.add_argument("--" + name, type=float, default=getattr(ice, name))
+        parser.add_argument("--" + name, type=float, default=getattr(ice, name), help=descriptions[name])
     parser.add_argument("--pressure", type=float, default=2.3e6, help="at which the stem crushes the ice [Pa]")
     given = vars(parser.parse_args())
     pressure = given.pop("pressure")
