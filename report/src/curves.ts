@@ -4,26 +4,43 @@ import "uplot/dist/uPlot.min.css";
 import { ArrayReader, Column, floats } from "./data";
 import { lines } from "./colours";
 import { element } from "./dom";
-import { scaled, text, withUnit } from "./units";
+import { scaled, scaledForAxis, text, withUnit } from "./units";
 
 interface Curve extends Column {
   values: Float32Array;
+  span: number; // largest less smallest value
+  largest: number; // magnitude
 }
 
-const sets: [string, (name: string) => boolean][] = [
-  ["Force", (name) => /(^|\.)(force_[xyz]|torque)$/.test(name)],
-  ["Motion", (name) => /(^|\.)(position|velocity)_[xyz]$/.test(name)],
-  ["Energy", (name) => /energy$/.test(name)],
-  ["Totals", (name) => /^total\./.test(name)],
+const sets: [string, (column: Column) => boolean][] = [
+  ["Force", ({ name }) => /(^|\.)(force_[xyz]|torque)$/.test(name)],
+  ["Motion", ({ name }) => /(^|\.)(position|velocity)_[xyz]$/.test(name)],
+  ["Energy", ({ unit }) => unit === "J"], // works and dissipations too
+  ["Totals", ({ name }) => /^total\./.test(name)],
 ];
 const shownAtFirst = new Set(["Force", "Energy"]);
 const mostAtFirst = 8; // per unit
 const negligible = 1e-9; // of the other components: rounding
+// of the largest span of the unit: less than `flat` is a horizontal line, less than `small` lies on the axis, more than `high` leaves the others no room
+const [flat, small, high] = [1e-3, 0.01, 4];
+const alike = 0.03; // largest difference of two curves, of the span of either
+
+/** Energy balance of the run [J]; `exchanged`: docs/guide/results.md. */
+export interface Balance {
+  error: number;
+  exchanged: number;
+}
+
+function ownerOf(name: string): string {
+  return name.split(".", 1)[0];
+}
 
 export class Curves {
   private readonly curves: Curve[] = [];
   private readonly time: Float32Array;
   private readonly chosen = new Set<number>();
+  private readonly more = new Map<string, number>(); // columns of the selected set that are not shown, by unit
+  private readonly impactors: Set<string>; // their names
   private readonly charts = element("div");
   private readonly boxes: HTMLInputElement[] = [];
   private plots: uPlot[] = [];
@@ -43,31 +60,29 @@ export class Curves {
     let at = 0;
     for (const column of columns) {
       const { numbers, end } = new ArrayReader(4).next(bytes, at, rows);
-      this.curves.push({ ...column, values: floats(numbers) });
+      const values = floats(numbers);
+      const [low, high] = values.reduce(([low, high], value) => [value < low ? value : low, value > high ? value : high], [Infinity, -Infinity]);
+      this.curves.push({ ...column, values, span: high - low, largest: Math.max(-low, high, 0) });
       at = end;
     }
     this.time = this.curves.shift()!.values;
+    this.impactors = new Set(this.curves.filter(({ name }) => name.endsWith(".position_x")).map(({ name }) => ownerOf(name)));
     this.timeScale = scaled("s", Math.abs(this.time[rows - 1]));
     this.build();
-    this.choose((name) => sets.some(([set, belongs]) => shownAtFirst.has(set) && belongs(name)));
+    this.choose((column) => sets.some(([set, belongs]) => shownAtFirst.has(set) && belongs(column)));
     new ResizeObserver(() => this.resize()).observe(home);
   }
 
-  /** Range of a curve. */
-  private span(k: number): number {
-    let low = Infinity;
-    let high = -Infinity;
-    for (const value of this.curves[k].values) {
-      if (value < low) low = value;
-      if (value > high) high = value;
-    }
-    return high - low;
+  private largest(k: number): number {
+    return this.curves[k].largest;
   }
 
-  private largest(k: number): number {
-    let out = 0;
-    for (const value of this.curves[k].values) out = Math.max(out, Math.abs(value));
-    return out;
+  /** Of the columns of history.csv; undefined without energy_balance_error, as of bodies that are relaxed. */
+  balance(): Balance | undefined {
+    const largestOf = (pattern: RegExp) => this.curves.filter(({ name }) => pattern.test(name)).map(({ largest }) => largest);
+    const [error] = largestOf(/^total\.energy_balance_error$/);
+    const works = largestOf(/\.(contact_work|work)$/).reduce((sum, each) => sum + each, 0);
+    return error === undefined ? undefined : { error, exchanged: works || Math.max(0, ...largestOf(/^total\.energy$/)) };
   }
 
   /** What is said of a curve that is zero, exactly or but for rounding; undefined for others. */
@@ -84,21 +99,39 @@ export class Curves {
     return own < negligible * lever ? `${name} is 0 but for rounding: below ${text(negligible)} of force times size of the bodies.` : undefined;
   }
 
-  /** The first curves of a set, without those that vary too little to be seen beside others of their unit, as forces normal to a plane of symmetry, or that would flatten them, as the energy of a ship. */
-  private choose(belongs: (name: string) => boolean): void {
+  private isGauge(name: string): boolean {
+    return this.impactors.has(ownerOf(name)) && name.split(".").length > 2;
+  }
+
+  private areAlike(k: number, other: number): boolean {
+    const [a, b] = [this.curves[k], this.curves[other]];
+    const most = alike * Math.max(a.span, b.span);
+    return a.values.every((value, row) => Math.abs(value - b.values[row]) <= most);
+  }
+
+  /**
+   * Of each unit the curves of the impactors, then those that vary the most; without those that would be flat beside others, as forces normal to a plane of
+   * symmetry, that would flatten others, as the energy of a ship, or that are nearly a curve before them, as a gauge that takes all of the force.
+   */
+  private choose(belongs: (column: Column) => boolean): void {
     this.chosen.clear();
-    const members = this.curves.map((_, k) => k).filter((k) => belongs(this.curves[k].name));
-    const largest = new Map<string, number>();
-    const count = new Map<string, number>();
-    for (const k of members) largest.set(this.curves[k].unit, Math.max(largest.get(this.curves[k].unit) ?? 0, this.span(k)));
-    for (const k of members) {
-      const { unit } = this.curves[k];
-      const already = count.get(unit) ?? 0;
-      if (already >= mostAtFirst || !(this.span(k) > 1e-6 * largest.get(unit)!) || this.largest(k) > 10 * largest.get(unit)!) continue;
-      this.chosen.add(k);
-      count.set(unit, already + 1);
+    this.more.clear();
+    const sets = new Map<string, number[]>();
+    this.curves.forEach((curve, k) => {
+      if (belongs(curve)) sets.set(curve.unit, [...(sets.get(curve.unit) ?? []), k]);
+    });
+    const isOwn = (k: number) => Number(this.impactors.has(ownerOf(this.curves[k].name)) && !this.isGauge(this.curves[k].name));
+    for (const [unit, members] of sets) {
+      const widest = Math.max(...members.map((k) => this.curves[k].span));
+      const shown: number[] = [];
+      for (const k of members.sort((a, b) => isOwn(b) - isOwn(a) || this.curves[b].span - this.curves[a].span)) {
+        const { span, largest } = this.curves[k];
+        if (shown.length < mostAtFirst && span > flat * widest && largest > small * widest && largest < high * widest && !shown.some((other) => this.areAlike(k, other))) shown.push(k);
+      }
+      for (const k of shown) this.chosen.add(k);
+      this.more.set(unit, members.length - shown.length);
     }
-    if (this.chosen.size === 0) for (const k of members.slice(0, mostAtFirst)) this.chosen.add(k); // all are constant
+    if (this.chosen.size === 0) for (const k of [...sets.values()].flat().slice(0, mostAtFirst)) this.chosen.add(k); // all are constant
     this.boxes.forEach((box, k) => (box.checked = this.chosen.has(k)));
     this.draw();
   }
@@ -127,6 +160,7 @@ export class Curves {
       box.onchange = () => {
         if (box.checked) this.chosen.add(k);
         else this.chosen.delete(k);
+        this.more.clear();
         this.draw();
       };
       this.boxes.push(box);
@@ -156,7 +190,10 @@ export class Curves {
       else units.set(this.curves[k].unit, [...(units.get(this.curves[k].unit) ?? []), k]);
     }
     if (this.chosen.size === 0) this.charts.append(element("p", { textContent: "No column is selected." }));
-    for (const [unit, numbers] of units) this.plots.push(this.chart(unit, numbers));
+    for (const [unit, numbers] of units) {
+      this.plots.push(this.chart(unit, numbers));
+      if (this.more.get(unit)) this.charts.append(element("p", { className: "more", textContent: `${this.more.get(unit)} more under Columns` }));
+    }
     this.charts.append(...zeros.map((zero) => element("p", { className: "zero", textContent: zero })));
     if (typeof min === "number" && typeof max === "number" && (min > this.time[0] / this.timeScale.factor || max < this.time[this.time.length - 1] / this.timeScale.factor))
       for (const plot of this.plots) plot.setScale("x", { min, max });
@@ -166,7 +203,7 @@ export class Curves {
 
   private chart(unit: string, numbers: number[]): uPlot {
     const largest = Math.max(...numbers.map((k) => this.largest(k)));
-    const { factor, unit: short } = scaled(unit, largest);
+    const { factor, unit: short } = scaledForAxis(unit, largest);
     const time = Array.from(this.time, (value) => value / this.timeScale.factor);
     const ink = this.style("--ink");
     const grid = { stroke: this.style("--line"), width: 1 };
@@ -177,7 +214,7 @@ export class Curves {
         height: 210,
         scales: { x: { time: false } },
         cursor: { sync: { key: "time" }, y: false, focus: { prox: 24 }, drag: { x: true, y: false } },
-        legend: { live: true },
+        legend: { live: true, markers: { dash: (plot, n) => (plot.series[n].dash ? "dashed" : "solid") } },
         axes: [
           { ...axis, label: `time [${this.timeScale.unit}]`, labelSize: 18, size: 34 },
           { ...axis, label: short && short !== "-" ? `[${short}]` : "[–]", labelSize: 18, size: 58, values: (_, ticks) => ticks.map((tick) => text(tick)) },
@@ -188,6 +225,7 @@ export class Curves {
             label: this.curves[k].name,
             stroke: lines[n % lines.length],
             width: 1.5,
+            dash: this.isGauge(this.curves[k].name) ? [6, 4] : undefined,
             points: { show: false },
             value: (_: uPlot, value: number | null) => (value === null ? "–" : withUnit(value * factor, unit === "-" ? "" : unit)),
           })),
@@ -200,6 +238,7 @@ export class Curves {
               u.ctx.save();
               u.ctx.strokeStyle = this.style("--accent");
               u.ctx.lineWidth = 2;
+              u.ctx.setLineDash([]);
               u.ctx.beginPath();
               u.ctx.moveTo(x, u.bbox.top);
               u.ctx.lineTo(x, u.bbox.top + u.bbox.height);

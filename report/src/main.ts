@@ -4,7 +4,7 @@ import { BodyData, ImpactorData, Quantity, Range, joined, quantitiesOf, rangeOf 
 import { Curves } from "./curves";
 import { Description, json, unpacked } from "./data";
 import { Legend, colouredRange, elementOf } from "./legend";
-import { Json, showChecks, showDeck, showHeader, showNotes, showRun } from "./pages";
+import { Json, showBalance, showChecks, showDeck, showHeader, showNotes, showRun } from "./pages";
 import { film, pictureWith, plainName, save } from "./save";
 import { SheetMap } from "./sheet_map";
 import { Stage, View } from "./stage";
@@ -272,7 +272,7 @@ function bindControls(): void {
   speed.addEventListener("change", () => play(playing !== 0));
   byId("theme").addEventListener("click", () => setTheme(!isDark()));
   byId("help").addEventListener("click", () => byId<HTMLDialogElement>("keys").showModal());
-  byId("save").hidden = !stage || bodies.length + impactors.length === 0;
+  byId("save").hidden = !stage;
   byId("save-picture").addEventListener("click", async () => save(await pictureNow(2), `${plainName(document.title)}_frame_${current + 1}.png`));
   byId("save-film").addEventListener("click", saveFilm);
   let pressed = { x: 0, y: 0 };
@@ -301,7 +301,7 @@ async function load(): Promise<void> {
       save(new Blob([table], { type: "text/csv" }), `${plainName(document.title)}_curves.csv`),
     );
   else byId("curves").append(Object.assign(document.createElement("p"), { textContent: "No curves: history.csv was missing or damaged." }));
-  if (bodies.length + impactors.length === 0) byId("nothing").hidden = false;
+  showBalance(byId("checks"), curves?.balance());
   for (const body of bodies) {
     await body.readUndeformed();
     stage?.addBody(body);
@@ -334,6 +334,12 @@ async function load(): Promise<void> {
   document.documentElement.dataset.state = "ready";
 }
 
+/** View, toolbar and player; without them the pages are as wide as the window. */
+function showStage(on: boolean): void {
+  byId("stage").hidden = !on;
+  document.querySelector("main")!.classList.toggle("flat", !on);
+}
+
 function start(): void {
   if (!about) {
     byId("doing").textContent = "This page contains no run. Create a report with `perimpact report DIR`.";
@@ -345,11 +351,11 @@ function start(): void {
   showChecks(byId("checks"), run);
   showDeck(byId("deck"), run);
   showNotes(byId("notes"), about);
+  showStage(times.length > 0);
   try {
-    stage = new Stage(canvas, (camera) => drawTriad(byId("triad"), camera.matrixWorldInverse));
+    if (times.length > 0) stage = new Stage(canvas, (camera) => drawTriad(byId("triad"), camera.matrixWorldInverse));
   } catch {
     byId("nothing").hidden = false;
-    byId("nothing").textContent = "No 3-D view: WebGL 2 is disabled in this browser. Curves and the other pages are available.";
   }
   bindControls();
   bindTabs((page) => {
@@ -361,6 +367,7 @@ function start(): void {
   load().catch((fault: unknown) => {
     byId("doing").textContent = fault instanceof Error ? fault.message : String(fault);
     byId("progress").hidden = true;
+    showStage(true); // which has the sentence
     document.documentElement.dataset.state = "failed";
   });
 }

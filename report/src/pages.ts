@@ -1,4 +1,5 @@
 // Side pages from run.json: run, checks, deck, about.
+import { Balance } from "./curves";
 import { Description } from "./data";
 import { element } from "./dom";
 import { text, withUnit } from "./units";
@@ -77,6 +78,7 @@ export function showHeader(run: Members | undefined, about: Description, bodies:
   if (typeof run?.steps === "number") facts.push(`${count(run.steps)} steps`);
   const particles = sum(bodies.map((body) => body.about.particles));
   if (particles > 0) facts.push(`${count(particles)} particles`);
+  if (about["times [s]"].length === 0) facts.push("no frames");
   if (impactors.length > 0) facts.push(`${count(sum(impactors.map((impactor) => impactor.about.panels)))} panels`);
   const warnings = Array.isArray(run?.warnings) ? run.warnings.length : 0;
   if (warnings > 0) facts.push(`${warnings} warning${warnings > 1 ? "s" : ""}`);
@@ -197,6 +199,27 @@ export function showChecks(home: HTMLElement, run: Members | undefined): void {
       home.append(tree(contact));
     }
   }
+}
+
+const mostImbalance = 0.01; // of the energy exchanged
+
+/** Ahead of the other checks. */
+export function showBalance(home: HTMLElement, balance: Balance | undefined): void {
+  if (!balance) return;
+  const { error, exchanged } = balance;
+  const share = error / exchanged;
+  const found = `the largest energy balance error is ${text(100 * share, 2)} % of the energy exchanged`;
+  const check = element(
+    "section",
+    {},
+    element("h2", { textContent: "Energy balance" }),
+    exchanged > 0 ? verdict(share <= mostImbalance, found, `${found}: above 1 %, a shorter time step is advisable`) : verdict(error === 0, "no error", "no energy was exchanged, but the balance has an error"),
+    rows([
+      ["largest error", withUnit(error, "J")],
+      ["energy exchanged", withUnit(exchanged, "J")],
+    ]),
+  );
+  home.querySelector(".on-paper")!.after(check);
 }
 
 /** A word in YAML, quoted where necessary to preserve it. */

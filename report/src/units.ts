@@ -16,12 +16,19 @@ export interface Scaled {
   unit: string;
 }
 
-/** The prefixed unit in which numbers up to `largest` are short. */
+/** The prefixed unit in which numbers up to `largest` are short; the unit itself below nano. */
 export function scaled(unit: string, largest: number): Scaled {
-  if (!prefixed.has(unit) || !(largest > 0) || !Number.isFinite(largest)) return { factor: 1, unit };
+  if (!prefixed.has(unit) || !(largest >= 1e-9) || !Number.isFinite(largest)) return { factor: 1, unit };
   if (unit === "m" || unit === "s" || unit === "m/s") if (largest >= 1 && largest < 1e6) return { factor: 1, unit };
-  for (const [factor, prefix] of prefixes) if (largest >= factor) return { factor, unit: prefix + unit };
-  return { factor: 1e-9, unit: `n${unit}` };
+  const [factor, prefix] = prefixes.find(([factor]) => largest >= factor)!;
+  return { factor, unit: prefix + unit };
+}
+
+/** The same for an axis, whose ticks need numbers about 1: below nano with a power of ten. */
+export function scaledForAxis(unit: string, largest: number): Scaled {
+  if (!(largest > 0 && largest < 1e-9)) return scaled(unit, largest);
+  const factor = 10 ** Math.floor(Math.log10(largest));
+  return { factor, unit: `${text(factor)} ${unit}` };
 }
 
 export function text(value: number, digits = 4): string {

@@ -100,6 +100,46 @@ def expect_map(page):
     check(page, f"damage is on the map, on {100 * share:.1f} % of it", 0.005 < share < 0.9)
 
 
+def history_of_ship():
+    """Columns of a ship whose bow takes all of the force, of ten fixed edges, the first the least loaded, and of energies. A pulse."""
+    pulse = numpy.sin(numpy.pi * numpy.linspace(0, 1, 21)) ** 2
+    columns = {"time [s]": numpy.linspace(0, 1, 21), "ship.position_x [m]": -5 * numpy.linspace(0, 1, 21)}
+    columns |= {f"sheet.edge_{k}.force_y [N]": 1e5 * k * pulse**k for k in range(1, 11)}
+    columns |= {"ship.force_x [N]": 4e5 * pulse, "ship.force_z [N]": 8e5 * pulse, "ship.bow.force_x [N]": 4.01e5 * pulse, "ship.side.force_x [N]": 9e5 * pulse**20}
+    rise = numpy.cumsum(pulse) / pulse.sum()
+    columns |= {"ship.contact_work [J]": -2e6 * rise, "ship.kinetic_energy [J]": 3e8 - 2e6 * rise, "sheet.elastic_energy [J]": 4.218e-16 + 1e6 * pulse,
+                "sheet.plastic_dissipation [J]": 5e5 * rise**2, "sheet.sea.work [J]": -3e6 * rise**3, "total.discarded_energy [J]": 7e5 * rise**4, "total.energy_balance_error [J]": -1e4 * rise}  # fmt: skip
+    return columns
+
+
+def expect_choice(page, program, folder):
+    """Of a run without frames: the curves that are shown at first, the check of the energy balance, and pages as wide as the window."""
+    (folder / "deck.yaml").write_text(changed(DECK, ("frames: 4", "frames: 0")))
+    subprocess.run([program, "run", "deck.yaml", "--force", "--no-report"], cwd=folder, check=True, stdout=subprocess.DEVNULL)
+    columns = history_of_ship()
+    numpy.savetxt(folder / "results/history.csv", numpy.column_stack(list(columns.values())), delimiter=",", header=",".join(columns), comments="", fmt="%.17g")
+    (folder / "results/history.json").unlink()
+    subprocess.run([program, "report", "results"], cwd=folder, check=True, stdout=subprocess.DEVNULL)
+    page.open(folder / "results/report.html")
+    page.wait_for("document.documentElement?.dataset.state === 'ready'")
+    legends = page.value("[...document.querySelectorAll('.u-legend')].map(each => Object.fromEntries([...each.querySelectorAll('.u-series')].slice(1).map(row => "
+                         "[row.querySelector('.u-label').innerText, [row.querySelector('.u-marker').style.borderStyle, row.querySelector('.u-value').innerText]])))")  # fmt: skip
+    forces, energies = sorted(legends, key=lambda legend: "ship.force_x" not in legend)
+    check(page, f"the forces of the impactor come first, then the largest; none is nearly another: {list(forces)}",
+          set(forces) == {"ship.force_x", "ship.force_z", "ship.side.force_x", *(f"sheet.edge_{k}.force_y" for k in range(6, 11))})  # fmt: skip
+    check(page, "gauges are dashed", [name for name, (style, _) in forces.items() if style == "dashed"] == ["ship.side.force_x"])
+    check(page, "the others are counted", text(page, "#curves .more") == "6 more under Columns; 2 more under Columns")
+    check(page, f"works and dissipations are among the energies: {list(energies)}",
+          set(energies) == {"ship.contact_work", "sheet.elastic_energy", "sheet.plastic_dissipation", "sheet.sea.work", "total.discarded_energy"})  # fmt: skip
+    check(page, f"what is below nano has an exponent: {energies}", energies["sheet.elastic_energy"][1] == "4.218e−16 J")
+    page.value("document.getElementById('tab-checks').click()")
+    check(page, "the energy balance error is 10 kJ of 5 MJ exchanged", "✓ the largest energy balance error is 0.2 % of the energy exchanged" in text(page, "#checks") and "5 MJ" in text(page, "#checks"))
+    wide = page.value("[document.querySelector('aside').clientWidth, window.innerWidth, document.getElementById('stage').offsetHeight]")
+    check(page, f"without frames the pages are as wide as the window, and there is no view: {wide}", wide[0] >= wide[1] - 1 and wide[2] == 0)
+    check(page, "the header says that there are no frames", "no frames" in text(page, "#facts"))
+    page.paper(folder / "no_view.pdf", landscape=True)
+
+
 def phone(page):
     """Nothing is wider than a telephone, and the view is not a slit."""
     page.ask("Emulation.setDeviceMetricsOverride", width=400, height=800, deviceScaleFactor=1, mobile=True)
@@ -152,6 +192,8 @@ def main():
             page.press("7")
             shown = PICTURE if "--write-picture" in sys.argv else folder / "plate.png"
             page.picture(shown, width=800, height=500)
+
+            expect_choice(page, Path(sys.argv[1]).resolve(), folder)
 
             # the same with cracks
             (folder / "deck.yaml").write_text(changed(DECK, ("density: 8000 kg/m3}", "density: 8000 kg/m3, critical_stretch: 0.0001}")))
