@@ -5,7 +5,7 @@
         --thickness 1.04 --young 1273e6 --strength 669e3 --compressive-strength 2.49e6 --speed 0.5 --out my_ship.yaml
 
 SI units; angles in degrees. The ship makes its channel at --approach-speed until its full breadth is in the ice, then advances at --speed for --lead-in and for
---sample, over which the mean is to be taken. With --thrust it is free in surge and heave. The rules and their reasons: docs/guide/ship_in_level_ice.md.
+--sample, over which the mean is to be taken. With --bollard-pull it is free in surge and heave, and driven by its net thrust. The rules and their reasons: docs/guide/ship_in_level_ice.md.
 """
 
 import argparse
@@ -14,7 +14,7 @@ from dataclasses import dataclass, fields
 from math import ceil, exp, pi, radians, sqrt, tan
 from pathlib import Path
 
-from resistance import GRAVITY, ShipInIce, cusps, help_of_fields
+from resistance import GRAVITY, ShipInIce, cusps, help_of_fields, net_thrust_factor
 
 LAYERS = 3  # with a horizon of two spacings: they crack at the load of theory and at one place (docs/theory/floating_strip.md)
 STEP = 0.5  # over spacing/√(E/ρ), with ρ of the scaled mass; `perimpact check` accepts up to 0.55 for such decks
@@ -27,7 +27,7 @@ class LevelIceRun(ShipInIce):
 
     fullness: float = 2.0  # p of the hull: its bow is p B/(2 tan α) long
     freeboard: float = 6.0  # height of the hull above the water [m]
-    displacement: float = 22171e3  # mass of the ship [kg]; without effect unless --thrust is given
+    displacement: float = 22171e3  # mass of the ship [kg]; without effect unless --bollard-pull is given
     compressive_strength: float = 2.3e6  # σ_c of the ice [Pa]
     crushing_pressure: float = 0.0  # pressure at which the hull crushes the ice [Pa]; σ_c where 0
     edge_length: float = 0.0  # of the panels of the hull [m]; four spacings where 0
@@ -37,7 +37,8 @@ class LevelIceRun(ShipInIce):
     approach_speed: float = 1.5  # while the bow makes its channel [m/s]
     lead_in: float = 0.0  # travel at the speed of the run before the sample [m]; one characteristic length where 0
     sample: float = 0.0  # travel over which the mean is taken [m]; ten cusps at rest where 0
-    thrust: float = 0.0  # [N]; where given, the ship is free in surge and heave, and starts at --speed
+    bollard_pull: float = 0.0  # thrust at zero speed [N]; where given, the ship is free in surge and heave, and starts at --speed
+    open_water_speed: float = 0.0  # speed at which the net thrust vanishes [m/s]; needed with --bollard-pull
 
     @property
     def spacing(self):
@@ -76,7 +77,9 @@ class LevelIceRun(ShipInIce):
 
     @property
     def approach_time(self):
-        """Time from which the ship has the speed of the run [s]: it takes a second to change it."""
+        """Time from which the ship has the speed of the run [s]: it takes a second to change it. A free ship: at its initial speed."""
+        if self.bollard_pull:
+            return self.astern / self.speed
         return (self.astern - (self.approach_speed + self.speed) / 2) / self.approach_speed + 1
 
     @property
@@ -87,8 +90,6 @@ class LevelIceRun(ShipInIce):
     @property
     def ends(self):
         """[s]"""
-        if self.thrust:
-            return (self.astern + sum(self.travels)) / self.speed
         return self.approach_time + sum(self.travels) / self.speed
 
 
@@ -116,9 +117,13 @@ def expect_possible(run):
     for name in ("length", "beam", "draft", "speed", "thickness", "strength", "young", "ice", "water", "displacement", "compressive_strength", "approach_speed", "fullness", "ahead", "beside"):
         if not getattr(run, name) > 0:
             refuse(f"--{name.replace('_', '-')} is {getattr(run, name):g}, but must be positive.")
-    for name in ("friction", "ice_friction", "crushing_pressure", "edge_length", "bow_edge_length", "lead_in", "sample", "thrust"):
+    for name in ("friction", "ice_friction", "crushing_pressure", "edge_length", "bow_edge_length", "lead_in", "sample", "bollard_pull", "open_water_speed"):
         if not getattr(run, name) >= 0:
             refuse(f"--{name.replace('_', '-')} is {getattr(run, name):g}, but must not be negative.")
+    if run.bollard_pull and not run.open_water_speed > run.speed:
+        refuse(f"--open-water-speed is {run.open_water_speed:g}, but must exceed --speed ({run.speed:g}), at which the ship starts.")
+    if run.open_water_speed and not run.bollard_pull:
+        refuse("--open-water-speed is given without --bollard-pull, the thrust at zero speed; give both, or neither.")
     for name in ("stem", "waterline"):
         if not 0 < getattr(run, name) < 90:
             refuse(f"--{name} is {getattr(run, name):g}, but must be an angle between 0 and 90 degrees.")
@@ -142,12 +147,15 @@ def deck(run, title, heading, folder):
     reflection = exp(-RIM_DAMPING * heave * rim / (3 * fastest))  # of that wave (docs/theory/boundary_conditions.md); bending waves are far slower
     reached = run.approach_time
     motion = f"""motion: {{x: {{times: [0, {reached - 1:.4g}, {reached:.4g}], velocities: [{-run.approach_speed:g}, {-run.approach_speed:g}, {-run.speed:g}]}}}}  # makes its channel, then breaks ice at the speed of the run"""
-    if run.thrust:
+    if run.bollard_pull:
+        relative = [tenths / 10 for tenths in range(13)]
+        speeds = ", ".join(f"{share * run.open_water_speed:.4g}" for share in relative)
+        factors = ", ".join(f"{round(net_thrust_factor(share), 4):g}" for share in relative)
         motion = f"""velocity: [{-run.speed:g} m/s, 0, 0]
     free_dofs: [x, z]
     floating: {{level: 0, damping: 1}}
-    # until the full breadth is in the ice the thrust grows as the bow does in it
-    loads: {{thrust: {{force: [{-1e-3 * run.thrust:g} kN, 0, 0], times: [0, {run.astern / run.speed:g}], factors: [0, 1]}}}}"""
+    # thrust less the resistance of open water
+    loads: {{net_thrust: {{force: [{-1e-3 * run.bollard_pull:.5g} kN, 0, 0], speeds: [{speeds}], speed_factors: [{factors}]}}}}"""
     flexural = 1e-3 * (1 - run.poisson**2) * run.strength
     return f"""{heading}
 title: {title}
@@ -209,7 +217,7 @@ contact:
 output:
   folder: {folder}
   frames: 170
-  frame_fields: [displacement, damage, plastic_strain]
+  frame_fields: [displacement, damage, plastic_strain, fragment]
   history_interval: {0.05 / run.speed:g} s
 """
 
@@ -230,12 +238,13 @@ def main():
     expect_possible(run)
     if out.exists():
         refuse(f"{out} exists; remove it, or choose another --out.")
-    title = f"A ship of {run.length:g} m in {run.thickness:g} m of level ice, {f'driven by {1e-3 * run.thrust:g} kN' if run.thrust else f'at {run.speed:g} m/s'}"
+    title = f"A ship of {run.length:g} m in {run.thickness:g} m of level ice, {f'driven by up to {1e-3 * run.bollard_pull:g} kN' if run.bollard_pull else f'at {run.speed:g} m/s'}"
     heading = "# Written by level_ice.py. The guide page 'A ship in level ice' (docs/guide/ship_in_level_ice.md) gives the reason for each number."
     out.write_text(deck(run, title, heading, f"results/{out.stem}"), encoding="utf-8")
     print(f"{out}: {run.astern + sum(run.travels):g} m of travel, about {round(run.ends / run.step, -3):.0f} steps")
-    if not run.thrust:
-        print(f"Mean of the sample: perimpact statistics results/{out.stem} --from {run.sample_begins:.2f} --to {run.ends:.2f} --columns ship.force_x")
+    columns = "ship.force_x,ship.velocity_x" if run.bollard_pull else "ship.force_x"
+    print(f"Mean of the sample: perimpact statistics results/{out.stem} --from {run.sample_begins:.2f} --to {run.ends:.2f} --columns {columns}")
+    print(f"Width of the channel: perimpact statistics results/{out.stem} --channel sheet:x")
 
 
 if __name__ == "__main__":

@@ -101,6 +101,16 @@ def cusps(ship):
     return {"length at rest": still, "length": moving, "period": moving / ship.speed if ship.speed else inf}
 
 
+def bollard_pull(power, diameter, quality=0.78):
+    """T_B = K_e (P D)^⅔ [N] of a ship with the power P [W] and propellers of the diameter D [m]; K_e 0.78 for one propeller, 0.98 for two, 1.12 for three."""
+    return 1e3 * quality * (1e-3 * power * diameter) ** (2 / 3)
+
+
+def net_thrust_factor(relative_speed):
+    """Thrust less the resistance of open water, over the bollard pull; `relative_speed`: over the speed in open water."""
+    return 1 - relative_speed / 3 - 2 * relative_speed**2 / 3
+
+
 def help_of_fields(file):
     """The comments of the fields of a dataclass in this source file, by their names."""
     with open(file, encoding="utf-8") as lines:

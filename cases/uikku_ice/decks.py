@@ -15,6 +15,7 @@ HERE = Path(__file__).resolve().parent
 sys.path.insert(0, str(HERE / "../ship_ice"))
 from level_ice import LevelIceRun  # noqa: E402
 from level_ice import deck as deck_of  # noqa: E402
+from resistance import bollard_pull  # noqa: E402
 
 # L_bow and L_par reproduce what Hu and Zhou print for Riska's formula (README.md); 0.25 is Poisson's ratio of bond-based peridynamics.
 # The displacement is that of the panels of this hull, by `perimpact shape hull`, in water of 1025 kg/m3.
@@ -22,6 +23,9 @@ UIKKU = LevelIceRun(
     length=150, beam=21.3, draft=9.5, stem=30, waterline=21, parallel=67, bow=38, friction=0.05, poisson=0.25,
     fullness=1.4, freeboard=6, displacement=21655e3, edge_length=1.5, bow_edge_length=0.75, lead_in=10, sample=36,
 )  # fmt: skip
+
+# power, diameter of the propeller and speed in open water: README.md
+PROPULSION = {"bollard_pull": bollard_pull(11.4e6, 5.6), "open_water_speed": 8.75, "speed": 3.0}
 
 
 def tests():
@@ -43,12 +47,14 @@ def ship_in(test):
 
 
 def deck(number, test, is_free=False):
-    """The deck of a test; of a ship that is free in surge and heave and driven by the resistance that was measured, where `is_free`."""
-    run = replace(ship_in(test), thrust=1e3 * test["resistance"] if is_free else 0.0)
+    """The deck of a test; of a ship that is free in surge and heave and driven by its net thrust, where `is_free`."""
+    run = ship_in(test)
+    if is_free:
+        run = replace(run, **PROPULSION)
     heading = f"""# yaml-language-server: $schema=../../docs/guide/deck.schema.json
 # MT Uikku in level ice, model test {number} of Hu and Zhou (2016) at full scale. Written by decks.py: why each number is what it is, and what was
 # measured, is in README.md of this folder."""
-    title = f"MT Uikku{', free' if is_free else ''}, test {number}, {run.thickness:g} m of ice at {run.speed:g} m/s"
+    title = f"MT Uikku{', free' if is_free else ''}, test {number}, {run.thickness:g} m of ice{', starting' if is_free else ''} at {run.speed:g} m/s"
     return deck_of(run, title, heading, f"results/uikku_ice_{'free' if is_free else number}")
 
 

@@ -1,6 +1,6 @@
 /// Prescribed motion of degrees of freedom of a rigid body, as functions of time.
 ///
-/// A table contains velocities or displacements (time_table.hpp). In a step the body moves with the mean velocity,
+/// A table contains velocities or displacements (piecewise_linear.hpp). In a step the body moves with the mean velocity,
 ///   v = 1/(t1 - t0) ∫ v(t) dt   or   v = (d(t1) - d(t0))/(t1 - t0),
 /// so that at the end of every step it is at the prescribed position, up to rounding. Beyond the last time the last velocity continues, or
 /// the last displacement stays. Displacements are relative to the position at t = 0: only differences matter.
@@ -12,9 +12,9 @@
 #include <array>
 #include <optional>
 
+#include "fccda/rigid_body/piecewise_linear.hpp"
 #include "fccda/rigid_body/rigid_body.hpp"
 #include "fccda/rigid_body/step.hpp"
-#include "fccda/rigid_body/time_table.hpp"
 
 namespace fccda {
 
@@ -23,7 +23,7 @@ class PrescribedMotion {
   enum class Of { velocity, displacement };
 
   /// `degree` is numbered as in FreeDegrees: x, y, z, then the rotations about them. [m/s] or [m], [rad/s] or [rad].
-  void prescribe(std::size_t degree, Of what, TimeTable table) { tables_[degree] = {what, std::move(table)}; }
+  void prescribe(std::size_t degree, Of what, PiecewiseLinear table) { tables_[degree] = {what, std::move(table)}; }
 
   bool is_empty() const;
 
@@ -39,7 +39,7 @@ class PrescribedMotion {
  private:
   struct Table {
     Of what;
-    TimeTable table;
+    PiecewiseLinear table;
     double velocity(double t0, double t1) const { return what == Of::velocity ? table.mean(t0, t1) : table.slope(t0, t1); }
     double largest_velocity() const { return what == Of::velocity ? table.largest_value() : table.largest_slope(); }
   };

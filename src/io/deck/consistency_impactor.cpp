@@ -66,6 +66,12 @@ void check_load(const LoadSetup& load, const std::string& path, const Places& pl
     refuse(places.of(path), fmt::format("{} has neither a force [N] nor a moment [N m]; give one, or remove the load.", path));
   check_as_many(load.factors.size(), load.times.size(), "factors", path + (load.factors.empty() ? ".times" : ".factors"));
   check_increasing(load.times, path + ".times");
+  check_as_many(load.speed_factors.size(), load.speeds.size(), "speed_factors", path + (load.speed_factors.empty() ? ".speeds" : ".speed_factors"),
+                speed_argument);
+  check_increasing(load.speeds, path + ".speeds", speed_argument);
+  if (!load.speeds.empty() && load.force == Vec3d{})
+    refuse(places.of(path + ".speeds"),
+           fmt::format("speeds are velocities along the force, but {} has none; give a force, or remove speeds and speed_factors.", path));
 }
 
 void check_gauge(const GaugeSetup& gauge, DetectorKind detector, const std::string& path, const Places& places) {

@@ -161,7 +161,10 @@ std::span<const Field<LoadSetup>> LoadSetup::fields() {
        "Point of application of the force, relative to the surface's origin and in its axes; it moves with the impactor. Where absent, the centre of mass."},
       {"times", &S::times, "s", any_number(), optional, "Times of the factors, increasing."},
       {"factors", &S::factors, "1", any_number(), optional,
-       "Factor on force and moment at each time, interpolated linearly; constant before the first time and after the last. Where absent, 1."}};
+       "Factor on force and moment at each time, interpolated linearly; constant before the first time and after the last. Where absent, 1."},
+      {"speeds", &S::speeds, "m/s", any_number(), optional, "Speeds of the speed factors, increasing: velocity of the centre of mass along the force."},
+      {"speed_factors", &S::speed_factors, "1", any_number(), optional,
+       "Further factor on force and moment at each speed, interpolated linearly; constant below the first speed and above the last. Where absent, 1."}};
   return all;
 }
 

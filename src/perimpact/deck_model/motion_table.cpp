@@ -6,13 +6,16 @@
 
 namespace perimpact {
 
-void check_increasing(const std::vector<double>& times, const std::string& key) {
-  for (std::size_t k = 1; k < times.size(); ++k)
-    if (times[k] <= times[k - 1]) throw SetupError(key, fmt::format("times contains {} s after {} s, but times must increase.", times[k], times[k - 1]));
+void check_increasing(const std::vector<double>& arguments, const std::string& key, const TableArgument& argument) {
+  for (std::size_t k = 1; k < arguments.size(); ++k)
+    if (arguments[k] <= arguments[k - 1])
+      throw SetupError(key,
+                       fmt::format("{0} contains {2} {1} after {3} {1}, but {0} must increase.", argument.list, argument.unit, arguments[k], arguments[k - 1]));
 }
 
-void check_as_many(std::size_t values, std::size_t times, std::string_view name, const std::string& key) {
-  if (values != times) throw SetupError(key, fmt::format("{} has {} values for {} times; give one for each time.", name, values, times));
+void check_as_many(std::size_t values, std::size_t arguments, std::string_view name, const std::string& key, const TableArgument& argument) {
+  if (values != arguments)
+    throw SetupError(key, fmt::format("{} has {} values for {} {}; give one for each {}.", name, values, arguments, argument.list, argument.name));
 }
 
 void check_table(const MotionTable& table, const std::string& key, const Places& places) {

@@ -22,9 +22,15 @@ struct MotionTable {
   std::string file;
 };
 
+/// What the values of a table depend on, as named in decks.
+struct TableArgument {
+  std::string_view name, list, unit;
+};
+inline constexpr TableArgument time_argument{"time", "times", "s"}, speed_argument{"speed", "speeds", "m/s"};
+
 // Each throws SetupError with the key unless the condition in its name is met.
-void check_increasing(const std::vector<double>& times, const std::string& key);
-void check_as_many(std::size_t values, std::size_t times, std::string_view name, const std::string& key);
+void check_increasing(const std::vector<double>& arguments, const std::string& key, const TableArgument& argument = time_argument);
+void check_as_many(std::size_t values, std::size_t arguments, std::string_view name, const std::string& key, const TableArgument& argument = time_argument);
 
 /// Requires times with one of the lists, or a file, but not both.
 void check_table(const MotionTable& table, const std::string& key, const Places& places);

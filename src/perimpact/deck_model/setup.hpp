@@ -235,6 +235,8 @@ struct LoadSetup {
   std::optional<Vec3d> point;  ///< [m] of application, fixed to the surface; the centre of mass where absent
   std::vector<double> times;   ///< [s] of `factors`; constant where empty
   std::vector<double> factors;
+  std::vector<double> speeds;  ///< [m/s] along the force, of `speed_factors`; independent of speed where empty
+  std::vector<double> speed_factors;
   static std::span<const Field<LoadSetup>> fields();
 };
 

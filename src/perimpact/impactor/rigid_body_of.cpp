@@ -112,7 +112,7 @@ PrescribedMotion motion_of(const ImpactorSetup& setup) {
                                         degree_words[degree], setup.name));
     const bool is_velocity = table->displacements.empty();
     motion.prescribe(degree, is_velocity ? PrescribedMotion::Of::velocity : PrescribedMotion::Of::displacement,
-                     placed(key, [&] { return TimeTable(table->times, is_velocity ? table->velocities : table->displacements); }));
+                     placed(key, [&] { return PiecewiseLinear(table->times, is_velocity ? table->velocities : table->displacements); }));
   }
   return motion;
 }
@@ -121,8 +121,12 @@ std::vector<AppliedLoad> loads_of(const ImpactorSetup& setup) {
   std::vector<AppliedLoad> loads;
   for (const LoadSetup& load : setup.loads) {
     AppliedLoad& made = loads.emplace_back(AppliedLoad{.force = load.force, .moment = load.moment, .point = load.point});
-    if (load.times.empty() && load.factors.empty()) continue;
-    made.factor = placed(fmt::format("{}.loads.{}", key_of(setup), load.name), [&] { return TimeTable(load.times, load.factors); });
+    const auto table = [&](const std::vector<double>& arguments, const std::vector<double>& factors) {
+      if (arguments.empty() && factors.empty()) return PiecewiseLinear(1);
+      return placed(fmt::format("{}.loads.{}", key_of(setup), load.name), [&] { return PiecewiseLinear(arguments, factors); });
+    };
+    made.factor = table(load.times, load.factors);
+    made.speed_factor = table(load.speeds, load.speed_factors);
   }
   return loads;
 }

@@ -57,14 +57,21 @@ def interval(t):
     t.assertGreater(1.5 * (end - begin), 10 * 0.32 * length - 0.02)
 
 
-@claim("level ice: a ship that is driven by a thrust is free in surge and heave, and floats")
+@claim("level ice: a ship that is driven is free in surge and heave, floats, and has its net thrust at every speed")
 def driven(t):
-    t.assertEqual(write(t, *OPTIONS, "--thrust", "500e3").returncode, 0)
+    t.assertEqual(write(t, *OPTIONS, "--bollard-pull", "500e3", "--open-water-speed", "8").returncode, 0)
     checked = t.expect_no_warning("check", "ship.yaml", "--out", "checked").out
     t.assertIn("it floats at a draft of", checked)
     deck = (t.folder / "ship.yaml").read_text(encoding="utf-8")
     t.assertIn("free_dofs: [x, z]", deck)
-    t.assertIn("force: [-500 kN, 0, 0], times: [0, 22]", deck)  # 33 m of bow at 1.5 m/s
+    speeds, factors = ([float(word) for word in re.search(rf"{name}: \[([^\]]*)\]", deck)[1].split(", ")] for name in (" speeds", "speed_factors"))
+    t.assertIn("force: [-500 kN, 0, 0], speeds", deck)
+    t.assertEqual((speeds[0], factors[0]), (0, 1))
+    t.assertGreater(speeds[-1], 8)  # faster than in open water it is braked
+    for speed in (0.7, 3.3, 5.1, 8, 9):
+        k = next(k for k, end in enumerate(speeds) if end >= speed)
+        linear = factors[k - 1] + (factors[k] - factors[k - 1]) * (speed - speeds[k - 1]) / (speeds[k] - speeds[k - 1])
+        t.assertAlmostEqual(linear, 1 - speed / 24 - 2 * speed * speed / 192, delta=2e-3)  # a chord of 0.8 m/s: 0.8² · (4/3/64)/8
 
 
 @claim("level ice: data that are impossible, and a file that exists, are refused with a sentence")
@@ -76,6 +83,8 @@ def refused(t):
         (["--ice", "1030"], "does not float"),
         (["--ahead=-1"], "--ahead is -1, but must be positive."),
         (["--friction=-0.1"], "--friction is -0.1, but must not be negative."),
+        (["--bollard-pull", "5e5"], "--open-water-speed is 0, but must exceed --speed (1.5)"),
+        (["--open-water-speed", "8"], "--open-water-speed is given without --bollard-pull"),
     ):
         said = write(t, *OPTIONS, *change)
         t.assertEqual(said.returncode, 2)

@@ -69,10 +69,30 @@ TEST_CASE("applied load: a force off the centre of mass has the moment of its le
 }
 
 TEST_CASE("applied load: its factor is the mean over the step") {
-  const AppliedLoad blast[] = {{.force = {0, 10, 0}, .factor = TimeTable({0.1, 0.2, 0.3}, {0, 1, 0})}};
+  const AppliedLoad blast[] = {{.force = {0, 10, 0}, .factor = PiecewiseLinear({0.1, 0.2, 0.3}, {0, 1, 0})}};
   RigidBody body(lopsided(), Pose(), {}, {}, all_free);
   run(body, blast, 0.5, 0.05);  // steps of a quarter of the pulse
   CHECK(body.momentum().y == fixtures::relative(10 * 0.1, 1e-13));
+}
+
+TEST_CASE("applied load: a thrust that falls linearly with speed approaches the speed at which it vanishes exponentially") {
+  constexpr double thrust = 10, top_speed = 4, mass = 2.5, rate = thrust / (mass * top_speed), end = 1.5, dt = 1e-4;
+  const AppliedLoad falling[] = {{.force = {0, -thrust, 0}, .speed_factor = PiecewiseLinear({-8, 8}, {3, -1})}};
+  RigidBody body(lopsided(), Pose(), {7, 0, 0}, {}, all_free);
+  const double before = body.kinetic_energy(), work = run(body, falling, end, dt), decay = std::exp(-rate * end);
+  const double first_order = 0.5 * rate * dt * rate * end * decay * top_speed;  // of v, by taking the speed at the beginning of each step
+  CHECK(std::fabs(body.velocity().y + top_speed * (1 - decay) + first_order) < 1e-3 * first_order);
+  CHECK(body.velocity().x == 7);  // across the force
+  CHECK(work == fixtures::relative(body.kinetic_energy() - before, 1e-12));
+}
+
+TEST_CASE("applied load: the speed factor is that of the speed along the force, and scales the moment too") {
+  const AppliedLoad load[] = {{.force = {0, 0, -6}, .moment = {0, 2, 0}, .speed_factor = PiecewiseLinear({0, 10}, {0, 1})}};
+  RigidBody body({.mass = 1, .centre_of_mass = {}, .inertia = Mat3::diagonal({1, 1, 1})}, Pose(), {50, -70, -3}, {}, all_free);
+  const double dt = 0.01;
+  apply(load, body, {0, dt, dt});
+  CHECK(body.velocity().z == fixtures::relative(-3 - 0.3 * 6 * dt, 1e-14));
+  CHECK(body.angular_velocity().y == fixtures::relative(0.3 * 2 * dt, 1e-14));
 }
 
 TEST_CASE("applied load: loads on constrained degrees of freedom are balanced by reactions, and the energy balance closes") {

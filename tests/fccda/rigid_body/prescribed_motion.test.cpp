@@ -22,7 +22,7 @@ Step step_number(long n, double dt) { return {static_cast<double>(n) * dt, stati
 }  // namespace
 
 TEST_CASE("prescribed motion: a table of displacements is reproduced at each of ten thousand steps") {
-  const TimeTable heave({0.01, 0.3, 0.34, 0.9}, {0.5, 1.7, -0.4, 0.1});
+  const PiecewiseLinear heave({0.01, 0.3, 0.34, 0.9}, {0.5, 1.7, -0.4, 0.1});
   const double dt = 1e-4;
   RigidBody body(lopsided(), Pose({1, 2, 3}), {}, {}, {});
   const double start = body.position_of_com().z;
@@ -40,7 +40,7 @@ TEST_CASE("prescribed motion: a table of displacements is reproduced at each of 
 }
 
 TEST_CASE("prescribed motion: a table of velocities gives the displacement of its integral, with kinks within steps, and continues with the last one") {
-  const TimeTable surge({0, 0.123, 0.2001}, {0, 4, 1});
+  const PiecewiseLinear surge({0, 0.123, 0.2001}, {0, 4, 1});
   RigidBody body(lopsided(), Pose(), {}, {}, {});
   const double start = body.position_of_com().x;
   PrescribedMotion motion;
@@ -56,7 +56,7 @@ TEST_CASE("prescribed motion: a table of velocities gives the displacement of it
 }
 
 TEST_CASE("prescribed motion: an angle about one axis as a function of time is reproduced") {
-  const TimeTable swing({0, 0.25, 1}, {0, 2.5, -1});
+  const PiecewiseLinear swing({0, 0.25, 1}, {0, 2.5, -1});
   RigidBody body(lopsided(), Pose(), {}, {}, {});
   PrescribedMotion motion;
   motion.prescribe(4, PrescribedMotion::Of::displacement, swing);
@@ -74,8 +74,8 @@ TEST_CASE("prescribed motion: an angle about one axis as a function of time is r
 TEST_CASE("prescribed motion: the constraint work and the work of external impulses equal the gain of kinetic energy") {
   // rotated about x and towed along y while the other degrees are free, with products of inertia that couple the rotations
   PrescribedMotion motion;
-  motion.prescribe(1, PrescribedMotion::Of::velocity, TimeTable({0, 0.5}, {0, 3}));
-  motion.prescribe(3, PrescribedMotion::Of::velocity, TimeTable({0, 0.5}, {0, 6}));
+  motion.prescribe(1, PrescribedMotion::Of::velocity, PiecewiseLinear({0, 0.5}, {0, 3}));
+  motion.prescribe(3, PrescribedMotion::Of::velocity, PiecewiseLinear({0, 0.5}, {0, 6}));
   const auto imbalance = [&](double dt) {
     RigidBody body(lopsided(), Pose(), {0.3, 0, 0.1}, {0, 1, 2}, {{true, false, true, false, true, true}});
     const double before = body.kinetic_energy();
@@ -99,7 +99,7 @@ TEST_CASE("prescribed motion: the constraint work and the work of external impul
 TEST_CASE("prescribed motion: degrees that are not prescribed keep their velocity, and tables define the initial one of the others") {
   PrescribedMotion motion;
   CHECK(motion.is_empty());
-  motion.prescribe(0, PrescribedMotion::Of::displacement, TimeTable({0, 2}, {5, 9}));
+  motion.prescribe(0, PrescribedMotion::Of::displacement, PiecewiseLinear({0, 2}, {5, 9}));
   CHECK(!motion.is_empty());
   CHECK(motion.velocity_at(0, 0, 7) == 2);
   CHECK(motion.velocity_at(1, 0, 7) == 7);

@@ -74,7 +74,7 @@ TEST_CASE("consistency of impactors: an angle against time requires a single axi
   CHECK(complaint(text) == place_of(text, "[0, 2]}") + ": " + sentence("rx is free"));
 }
 
-TEST_CASE("consistency of impactors: loads have a force or a moment, and factors for their times") {
+TEST_CASE("consistency of impactors: loads have a force or a moment, factors for their times, and speed factors for their speeds") {
   const ImpactorSetup impactor =
       read(with("loads: {tow: {force: [0, 0, 100 kN], moment: [0, 2 kN m, 0], point: [1, 0, 0], times: [0, 1], factors: [0, 1]}}")).setup.impactors[0];
   CHECK(impactor.loads[0].force.z == 1e5);
@@ -84,6 +84,13 @@ TEST_CASE("consistency of impactors: loads have a force or a moment, and factors
                 "tow:", "impactors.cylinder.loads.tow has neither a force [N] nor a moment [N m]; give one, or remove the load.");
   check_refused("loads: {tow: {force: [1, 0, 0], times: [0, 1]}}", "[0, 1]}", "factors has 0 values for 2 times; give one for each time.");
   check_refused("loads: {tow: {force: [1, 0, 0], times: [1, 0], factors: [1, 1]}}", "[1, 0]", "times contains 0 s after 1 s, but times must increase.");
+  check_refused("loads: {tow: {force: [1, 0, 0], speeds: [0, 1], speed_factors: [1]}}", "[1]}",
+                "speed_factors has 1 values for 2 speeds; give one for each speed.");
+  check_refused("loads: {tow: {force: [1, 0, 0], speeds: [0, 1]}}", "[0, 1]}", "speed_factors has 0 values for 2 speeds; give one for each speed.");
+  check_refused("loads: {tow: {force: [1, 0, 0], speeds: [2, 1], speed_factors: [1, 1]}}", "[2, 1]",
+                "speeds contains 1 m/s after 2 m/s, but speeds must increase.");
+  check_refused("loads: {tow: {moment: [1, 0, 0], speeds: [0, 1], speed_factors: [1, 1]}}", "[0, 1]",
+                "speeds are velocities along the force, but impactors.cylinder.loads.tow has none; give a force, or remove speeds and speed_factors.");
   check_refused("loads: {tow: {force: [1 m, 0, 0]}}", "1 m", "x of force is \"1 m\", but that is a length; write a force, for example 5 kN.");
 }
 

@@ -202,8 +202,9 @@ void add_motion_loads_and_gauges(Random& random, ImpactorSetup& impactor) {
   impactor.velocity.y = impactor.angular_velocity.y = 0;
   LoadSetup& load = impactor.loads.emplace_back();
   fill_fields(random, load);
-  load.name = "thrust", load.times.clear(), load.factors.clear();
+  load.name = "thrust", load.times.clear(), load.factors.clear(), load.speeds.clear(), load.speed_factors.clear();
   if (random() % 2) fill_table(random, load.times, load.factors);
+  if (random() % 2) fill_table(random, load.speeds, load.speed_factors);
   GaugeSetup& gauge = impactor.gauges.emplace_back();
   fill_fields(random, gauge);
   gauge.name = "root", gauge.surface_parts.clear();

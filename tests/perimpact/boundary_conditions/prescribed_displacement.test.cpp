@@ -4,6 +4,7 @@
 
 #include <cmath>
 
+#include "fixtures/larger.hpp"
 #include "fixtures/tolerance.hpp"
 #include "perimpact/boundary_conditions/scene.hpp"
 #include "perimpact/deck_model/setup_error.hpp"
@@ -40,7 +41,7 @@ TEST_CASE("prescribed displacement: at the end of every step positions equal the
   setup.boundary_conditions = {{"pull", PrescribedSetup{.particle_set = "right", .x = displaced({0, 3.3e-6, 6e-6}, {0, 2e-6, -1e-6}), .y = at_velocity(0.5)}},
                                {"grip", FixedSetup{.particle_set = "left", .directions = {"x", "z"}}}};
   BoundedBody scene(setup, ends, dt);
-  const fccda::TimeTable table({0, 3.3e-6, 6e-6}, {0, 2e-6, -1e-6});
+  const fccda::PiecewiseLinear table({0, 3.3e-6, 6e-6}, {0, 2e-6, -1e-6});
   std::size_t wrong = 0, moved_freely = 0;
   for (int step = 0; step < 40; ++step) {
     scene.step();
@@ -68,7 +69,7 @@ TEST_CASE("prescribed displacement: particles gain the impulse of the reactions 
   double largest_work = 0;
   for (int step = 0; step < 60; ++step) {
     scene.step();
-    largest_work = std::max(largest_work, std::fabs(scene.boundary_conditions.work()));
+    largest_work = fixtures::larger(largest_work, std::fabs(scene.boundary_conditions.work()));
   }
   for (const NamedBoundaryCondition& one : scene.boundary_conditions.all()) impulse += one.account().impulse();
   // The two are sums of the same products in another order: rounding of 60 steps and a thousand particles.

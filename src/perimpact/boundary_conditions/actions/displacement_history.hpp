@@ -3,7 +3,7 @@
 
 #include <utility>
 
-#include "fccda/rigid_body/time_table.hpp"
+#include "fccda/rigid_body/piecewise_linear.hpp"
 
 namespace perimpact {
 
@@ -11,8 +11,8 @@ class DisplacementHistory {
  public:
   enum class Of { velocity, displacement };
 
-  DisplacementHistory(Of what, fccda::TimeTable table) : what_(what), table_(std::move(table)) {}
-  static DisplacementHistory rest() { return {Of::displacement, fccda::TimeTable(0)}; }
+  DisplacementHistory(Of what, fccda::PiecewiseLinear table) : what_(what), table_(std::move(table)) {}
+  static DisplacementHistory rest() { return {Of::displacement, fccda::PiecewiseLinear(0)}; }
 
   /// [m] from the undeformed position; the integral from t = 0 for a table of velocities.
   double displacement(double time) const {
@@ -25,7 +25,7 @@ class DisplacementHistory {
 
  private:
   Of what_;
-  fccda::TimeTable table_;
+  fccda::PiecewiseLinear table_;
 };
 
 }  // namespace perimpact

@@ -5,7 +5,7 @@
 
 namespace perimpact {
 
-Load::Load(std::vector<std::uint32_t> slots, std::vector<double> weights, const Particles& particles, const Vec3d& intensity, fccda::TimeTable factor)
+Load::Load(std::vector<std::uint32_t> slots, std::vector<double> weights, const Particles& particles, const Vec3d& intensity, fccda::PiecewiseLinear factor)
     : slots_(std::move(slots)),
       weights_(std::move(weights)),
       total_weight_(exact_sum_over_eights(particles.share().ranks(), slots_, [&](std::size_t k) { return weights_[k]; })),

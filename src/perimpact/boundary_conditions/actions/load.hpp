@@ -13,8 +13,8 @@
 #include <string>
 #include <vector>
 
+#include "fccda/rigid_body/piecewise_linear.hpp"
 #include "fccda/rigid_body/step.hpp"
-#include "fccda/rigid_body/time_table.hpp"
 #include "perimpact/boundary_conditions/actions/action_kernels.hpp"
 #include "perimpact/boundary_conditions/actions/force_sum.hpp"
 #include "perimpact/boundary_conditions/actions/reaction_ledger.hpp"
@@ -26,7 +26,7 @@ namespace perimpact {
 class Load {
  public:
   /// `weights`: w_i of each slot; `factor`: f [-].
-  Load(std::vector<std::uint32_t> slots, std::vector<double> weights, const Particles& particles, const Vec3d& intensity, fccda::TimeTable factor);
+  Load(std::vector<std::uint32_t> slots, std::vector<double> weights, const Particles& particles, const Vec3d& intensity, fccda::PiecewiseLinear factor);
 
   std::span<const std::uint32_t> slots() const { return slots_; }
   std::span<const double> weights() const { return weights_; }
@@ -68,7 +68,7 @@ class Load {
   std::vector<double> weights_;
   double total_weight_, squared_weights_, weights_by_mass_;  // Σ w, Σ w², Σ w²/m
   Vec3d intensity_;
-  fccda::TimeTable factor_;
+  fccda::PiecewiseLinear factor_;
 };
 
 }  // namespace perimpact

@@ -14,14 +14,14 @@ std::vector<std::uint32_t> BoundarySite::slots(const std::string& particle_set) 
   return {slots.begin(), slots.end()};
 }
 
-fccda::TimeTable BoundarySite::factor(const std::vector<double>& times, const std::vector<double>& factors) const {
-  if (times.empty() && factors.empty()) return fccda::TimeTable(1);
+fccda::PiecewiseLinear BoundarySite::factor(const std::vector<double>& times, const std::vector<double>& factors) const {
+  if (times.empty() && factors.empty()) return fccda::PiecewiseLinear(1);
   return table(key, times, factors);
 }
 
-fccda::TimeTable BoundarySite::table(const std::string& key, const std::vector<double>& times, const std::vector<double>& values) {
+fccda::PiecewiseLinear BoundarySite::table(const std::string& key, const std::vector<double>& times, const std::vector<double>& values) {
   try {
-    return fccda::TimeTable(times, values);
+    return fccda::PiecewiseLinear(times, values);
   } catch (const fccda::InputError& error) {
     throw SetupError(key, error.what());
   }

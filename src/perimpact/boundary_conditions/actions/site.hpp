@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "fccda/rigid_body/time_table.hpp"
+#include "fccda/rigid_body/piecewise_linear.hpp"
 #include "perimpact/deck_model/setup.hpp"
 #include "perimpact/materials/elastic/isotropic.hpp"
 #include "perimpact/particles/particles.hpp"
@@ -32,8 +32,8 @@ struct BoundarySite {
   std::vector<std::uint32_t> slots(const std::string& particle_set) const;
 
   /// Factor [-] on a load against time; 1 where both are empty. Throws SetupError for an invalid table, as does table().
-  fccda::TimeTable factor(const std::vector<double>& times, const std::vector<double>& factors) const;
-  static fccda::TimeTable table(const std::string& key, const std::vector<double>& times, const std::vector<double>& values);
+  fccda::PiecewiseLinear factor(const std::vector<double>& times, const std::vector<double>& factors) const;
+  static fccda::PiecewiseLinear table(const std::string& key, const std::vector<double>& times, const std::vector<double>& values);
 };
 
 /// A face of a body along the axes, indexed as in face_words.

@@ -9,8 +9,8 @@ namespace perimpact {
 namespace {
 
 DisplacementHistory displacement_history_of(const DisplacementSetup& setup, const std::string& key) {
-  if (setup.velocity) return {DisplacementHistory::Of::velocity, fccda::TimeTable(*setup.velocity)};
-  if (setup.displacement) return {DisplacementHistory::Of::displacement, fccda::TimeTable(*setup.displacement)};
+  if (setup.velocity) return {DisplacementHistory::Of::velocity, fccda::PiecewiseLinear(*setup.velocity)};
+  if (setup.displacement) return {DisplacementHistory::Of::displacement, fccda::PiecewiseLinear(*setup.displacement)};
   if (!setup.velocities.empty()) return {DisplacementHistory::Of::velocity, BoundarySite::table(key, setup.times, setup.velocities)};
   return {DisplacementHistory::Of::displacement, BoundarySite::table(key, setup.times, setup.displacements)};
 }

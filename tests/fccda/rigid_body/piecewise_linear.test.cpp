@@ -1,4 +1,4 @@
-#include "fccda/rigid_body/time_table.hpp"
+#include "fccda/rigid_body/piecewise_linear.hpp"
 
 #include <doctest/doctest.h>
 
@@ -15,10 +15,10 @@ namespace {
 
 constexpr double eps = std::numeric_limits<double>::epsilon();
 
-TimeTable ramp() { return TimeTable({1, 2, 4, 4.5}, {0, 3, -1, 5}); }
+PiecewiseLinear ramp() { return PiecewiseLinear({1, 2, 4, 4.5}, {0, 3, -1, 5}); }
 
 /// Mean by the midpoint rule over many pieces: shares nothing with the table but at().
-double summed_mean(const TimeTable& table, double t0, double t1) {
+double summed_mean(const PiecewiseLinear& table, double t0, double t1) {
   constexpr int pieces = 20'000;
   double sum = 0;
   for (int k = 0; k < pieces; ++k) sum += table.at(t0 + (t1 - t0) * (k + 0.5) / pieces);
@@ -27,8 +27,8 @@ double summed_mean(const TimeTable& table, double t0, double t1) {
 
 }  // namespace
 
-TEST_CASE("time table: values are linear between the points and constant beyond both ends") {
-  const TimeTable table = ramp();
+TEST_CASE("piecewise linear function: values are linear between the points and constant beyond both ends") {
+  const PiecewiseLinear table = ramp();
   CHECK(table.at(-7) == 0);
   CHECK(table.at(1) == 0);
   CHECK(table.at(1.5) == 1.5);
@@ -37,10 +37,10 @@ TEST_CASE("time table: values are linear between the points and constant beyond 
   CHECK(table.at(1e9) == 5);
 }
 
-TEST_CASE("time table: the mean over any interval is the integral over its length") {
+TEST_CASE("piecewise linear function: the mean over any interval is the integral over its length") {
   std::mt19937_64 random(1);
   std::uniform_real_distribution<double> any(0, 5.5);
-  const TimeTable table = ramp();
+  const PiecewiseLinear table = ramp();
   for (int trial = 0; trial < 50; ++trial) {
     const double a = any(random), b = any(random), t0 = std::min(a, b), t1 = std::max(a, b);
     // the midpoint rule has an error only in the pieces with a kink: a step of slope 14 over a piece of 5.5/20000 s, 8e-8 of the interval each
@@ -49,26 +49,26 @@ TEST_CASE("time table: the mean over any interval is the integral over its lengt
   }
 }
 
-TEST_CASE("time table: a constant is exact, and an interval of zero length gives the value and the slope just after") {
-  const TimeTable constant({0, 1, 2}, {0.3, 0.3, 0.3});
+TEST_CASE("piecewise linear function: a constant is exact, and an interval of zero length gives the value and the slope just after") {
+  const PiecewiseLinear constant({0, 1, 2}, {0.3, 0.3, 0.3});
   for (double t = -0.5; t < 2; t += 0.1) CHECK(constant.mean(t, t + 0.07) == fixtures::relative(0.3, 2 * eps));
-  CHECK(TimeTable(0.1).mean(3, 4) == 0.1);
+  CHECK(PiecewiseLinear(0.1).mean(3, 4) == 0.1);
   CHECK(ramp().mean(3, 3) == 1);
   CHECK(ramp().slope(2, 2) == -2);
   CHECK(ramp().slope(1, 1) == 3);
   CHECK(ramp().slope(5, 5) == 0);
 }
 
-TEST_CASE("time table: the slope of a large value over a short time loses no digits") {
-  const TimeTable table({0, 1}, {1e6, 1e6 + 1});
+TEST_CASE("piecewise linear function: the slope of a large value over a short time loses no digits") {
+  const PiecewiseLinear table({0, 1}, {1e6, 1e6 + 1});
   CHECK(table.slope(0.5, 0.5 + 1e-9) == 1);  // the difference of the values has three digits
 }
 
-TEST_CASE("time table: lists of different length, times that do not increase and values that are not numbers are rejected") {
-  CHECK_THROWS_WITH_AS(TimeTable({}, {}), "time table: there are no points; give at least one time with its value.", InputError);
-  CHECK_THROWS_WITH_AS(TimeTable({0, 1}, {0}), "time table: there are 2 times and 1 values, but each time needs one value.", InputError);
-  CHECK_THROWS_WITH_AS(TimeTable({0, 1, 1}, {0, 1, 2}), doctest::Contains("point 3 is at 1.000000 s, after one at 1.000000 s, but times must increase"),
+TEST_CASE("piecewise linear function: lists of different length, arguments that do not increase and values that are not numbers are rejected") {
+  CHECK_THROWS_WITH_AS(PiecewiseLinear({}, {}), "table: there are no points; give at least one.", InputError);
+  CHECK_THROWS_WITH_AS(PiecewiseLinear({0, 1}, {0}), "table: there are 2 arguments and 1 values, but each argument needs one value.", InputError);
+  CHECK_THROWS_WITH_AS(PiecewiseLinear({0, 1, 1}, {0, 1, 2}), doctest::Contains("point 3 is at 1.000000, after one at 1.000000, but arguments must increase"),
                        InputError);
-  CHECK_THROWS_AS(TimeTable({0, 1}, {0, std::nan("")}), InputError);
-  CHECK_THROWS_AS(TimeTable({0, INFINITY}, {0, 1}), InputError);
+  CHECK_THROWS_AS(PiecewiseLinear({0, 1}, {0, std::nan("")}), InputError);
+  CHECK_THROWS_AS(PiecewiseLinear({0, INFINITY}, {0, 1}), InputError);
 }
