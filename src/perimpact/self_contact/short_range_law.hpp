@@ -78,11 +78,11 @@ inline double density_pressure(const Face& face, double pressure, double volume,
   return pressure * volume * distance / (2 * face.slope * size);
 }
 
-/// Ratio of tangential to normal spring stiffness: a face has some nine pairs per particle, with two thirds of its normal stiffness in total.
+/// Ratio of tangential to normal spring stiffness: a face has some nine pairs per particle, with 1.0 to 1.4 times its normal stiffness in total.
 inline constexpr double tangential_share = 1.0 / 6;
 
-/// Upper bound for stability on the number of springs k V_i V_j that act on a particle. Compressed from all sides to 0.6 of the contact distance, and
-/// with its tangential springs, a particle has 8.
+/// Upper bound for stability on the number of springs k V_i V_j that act on a particle. A cubic lattice compressed from all sides to the
+/// contact distance has 5.3, and 2.9 of tangential springs; twelve are reached at 0.9 of that distance, with friction at 0.95 (docs/theory/short_range.md).
 inline constexpr double most_in_contact = 12;
 
 /// Damping ratio ζ for the coefficient of restitution e of two particles that collide freely; the dashpot never causes attraction. With

@@ -2,8 +2,8 @@
 ///
 ///   ν_b = S (49.185/|T| + 0.532)/1000         Frankenstein and Garner, J. Glaciol. 6 (1967) 943; S [g/kg], T [°C] from -22.9 to -0.5
 ///   σ_f = 1.76 exp(-5.88 √ν_b) MPa            Timco and O'Brien, Cold Reg. Sci. Technol. 22 (1994) 285
-///   E   = 10 (1 - 3.51 ν_b) - 1 GPa           Timco and Weeks, Cold Reg. Sci. Technol. 60 (2010) 107, less 1 GPa: the effective
-///                                             modulus of Williams et al., Cold Reg. Sci. Technol. 91 (2013) 102
+///   E   = 10 (1 - 3.51 ν_b) - 1 GPa           Timco and Weeks, Cold Reg. Sci. Technol. 60 (2010) 107, less 1 GPa, the effective
+///                                             modulus for floes that waves bend, in public code (docs/theory/ice.md)
 ///   σ_c = A ε̇^0.22 (1 - √(ν_T/B))             Timco and Frederking, Cold Reg. Sci. Technol. 17 (1990) 227; ν_T with air, ε̇ [1/s] from 1e-7 to 1e-3
 #pragma once
 
