@@ -4,6 +4,7 @@
 #   lib/perimpact/libperimpact_ranks.so             opened in runs of several processes; where MPI was found
 #   lib/perimpact/libperimpact_cuda.so              opened by --device cuda; where nvcc was found
 #   share/perimpact/cases/                          to look at, copy and run
+#   share/perimpact/scripts/results/                modules that scripts of the cases import
 #   share/perimpact/docs/guide/deck.schema.json     where the first line of each case's deck says
 #   share/perimpact/docs/guide/tutorials/           their decks
 #   share/doc/perimpact/html/index.html             where scripts/build_docs.sh has been run before
@@ -20,6 +21,7 @@ if(TARGET gpu_library)
   install(FILES ${CMAKE_BINARY_DIR}/libperimpact_cuda.so DESTINATION ${CMAKE_INSTALL_LIBDIR}/perimpact COMPONENT cuda)
 endif()
 install(DIRECTORY cases/ DESTINATION ${shared}/cases COMPONENT perimpact USE_SOURCE_PERMISSIONS PATTERN __pycache__ EXCLUDE)
+install(DIRECTORY scripts/results/ DESTINATION ${shared}/scripts/results COMPONENT perimpact USE_SOURCE_PERMISSIONS PATTERN __pycache__ EXCLUDE)
 install(FILES docs/guide/deck.schema.json DESTINATION ${shared}/docs/guide COMPONENT perimpact)
 install(DIRECTORY docs/guide/tutorials/ DESTINATION ${shared}/docs/guide/tutorials COMPONENT perimpact FILES_MATCHING PATTERN "*.yaml")
 set(documentation ${CMAKE_CURRENT_SOURCE_DIR}/build/docs)

@@ -4,7 +4,7 @@
 # docs: what builds the documentation, and nothing else; package: what builds the Debian package, with the documentation.
 set -euo pipefail
 
-# libfmt, yaml-cpp, UDUNITS-2, CLI11, zlib, HDF5: see README, "What is in the box"
+# libfmt, yaml-cpp, UDUNITS-2, CLI11, zlib, HDF5: what the program links (docs/guide/cluster.md)
 build=(g++ cmake ninja-build libfmt-dev libyaml-cpp-dev libudunits2-dev libcli11-dev zlib1g-dev libhdf5-dev)
 # runs of several processes; the build goes without if it is missing
 mpi=(libopenmpi-dev openmpi-bin)
