@@ -44,9 +44,9 @@ std::string channel_text(const StatisticsArguments& arguments, std::optional<dou
   const double high = quantity_of_option("--channel-to", wanted.to, "m").value_or(infinite);
   if (!(low < high)) throw fccda::InputError(fmt::format("--channel-from is {:.4g} m, but it must be below --channel-to, which is {:.4g} m.", low, high));
   if (!(wanted.sheet > 0 && wanted.sheet <= 1))
-    throw fccda::InputError(
-        fmt::format("--sheet is {}, but it must be above 0 and at most 1: the share of a body's particles above which a fragment belongs to the intact sheet.",
-                    wanted.sheet));
+    throw fccda::InputError(fmt::format(
+        "--sheet is {}, but it must be above 0 and at most 1: the share of a body's particles above which a fragment belongs to the remaining sheet.",
+        wanted.sheet));
 
   const char along = "xy"[axis], across = "yx"[axis];
   const std::filesystem::path file = output::ResultsFolder::fragments_in(arguments.folder) / fmt::format("{}_channel_{}.csv", body, along);
@@ -64,7 +64,8 @@ std::string channel_text(const StatisticsArguments& arguments, std::optional<dou
 
   std::string text = fmt::format("channel along {} in body {} at {:.6g} s ({})\n", along, body, frame.time, frame.name);
   if (widths.length == 0) {
-    text += row("none", fmt::format("no column is broken through; fragments of {:.3g} % of the particles or more form the intact sheet", 100 * wanted.sheet));
+    text +=
+        row("none", fmt::format("no column is broken through; fragments of {:.3g} % of the particles or more form the remaining sheet", 100 * wanted.sheet));
   } else {
     text += row("length", fmt::format("{:.5g} m of columns broken through", widths.length));
     text += row("width", fmt::format("mean {:.5g} m, standard deviation {:.3g} m", widths.mean, widths.deviation));

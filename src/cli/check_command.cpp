@@ -135,8 +135,9 @@ int check_command(const CheckArguments& arguments) {
         return 0;
       }
       if (duration)
-        messages.print(fmt::format("duration\n  about {} on {} threads, {} of them for the set-up, without output frames (from {} steps)\n",
-                                   duration_in_words(duration->seconds), fccda::thread_count(), duration_in_words(duration->set_up), duration->trial_steps));
+        messages.print(fmt::format("duration\n  about {} on {}, {} of it for the set-up, without output frames (from {} steps)\n",
+                                   duration_in_words(duration->seconds), counted(fccda::thread_count(), "thread"), duration_in_words(duration->set_up),
+                                   duration->trial_steps));
       messages.print(fmt::format("surfaces, contact bounds and bodies are in {} as VTP\n", folder.string()));
       return 0;
     });

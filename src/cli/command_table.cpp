@@ -118,7 +118,7 @@ Command new_of(NewArguments& arguments) {
   return {
       .name = "new",
       .help = "Write a small commented deck that runs in a minute or less",
-      .options = {{.name = "what",
+      .options = {{.name = "kind",
                    .help = fmt::format("Kind of the deck: {}", fmt::join(names, ", ")),
                    .target = &arguments.starter,
                    .words = names,
@@ -208,7 +208,7 @@ Command statistics_of(StatisticsArguments& arguments) {
                       {.name = "--channel-to", .value = "LENGTH", .help = "Upper end on the axis, a length", .target = &arguments.channel.to},
                       {.name = "--sheet",
                        .value = "SHARE",
-                       .help = "Fragments with at least this share of the body's particles belong to the intact sheet along the channel",
+                       .help = "Fragments with at least this share of the body's particles belong to the remaining sheet along the channel",
                        .target = &arguments.channel.sheet}},
           .run = [&arguments] { return statistics_command(arguments); }};
 }

@@ -108,9 +108,10 @@ LargeCheck::LargeCheck(const Setup& setup, const std::vector<Discretisation>& bo
     time["increment [s]"] = increment;
   } else {
     forecast = forecast_of(setup, bodies, std::accumulate(memory_.particles.begin(), memory_.particles.end(), 0.0));
-    text_ += "time\n" + row("step", fmt::format("about {:.4g} s, {:.3g} steps: of a block of the same material", forecast->step, forecast->steps)) +
-             fmt::format("duration\n  about {} on {} threads, {} of them for the set-up, without impactors and output frames (from steps of the block)\n",
-                         duration_in_words(forecast->set_up + forecast->running), fccda::thread_count(), duration_in_words(forecast->set_up));
+    text_ +=
+        "time\n" + row("step", fmt::format("about {:.4g} s, {:.3g} steps: of a block of the same material", forecast->step, forecast->steps)) +
+        fmt::format("duration\n  about {} on {}, {} of it for the set-up, without impactors and output frames (from steps of the block)\n",
+                    duration_in_words(forecast->set_up + forecast->running), counted(fccda::thread_count(), "thread"), duration_in_words(forecast->set_up));
     time["step [s]"] = forecast->step;
     time["steps"] = forecast->steps;
     json_["duration [s]"] = forecast->set_up + forecast->running;

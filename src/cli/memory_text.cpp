@@ -19,6 +19,7 @@ std::string memory_text(const Memory& memory) {
       "memory\n" + row("peak", fmt::format("about {}: {} from the first step on, up to {} more during set-up, {} while an output frame is written",
                                            bytes_in_words(memory.peak()), bytes_in_words(memory.at_rest), bytes_in_words(memory.setting_up),
                                            bytes_in_words(memory.pictures)));
+  if (memory.moves > 0) text += row("moving window", fmt::format("up to {} more while it moves", bytes_in_words(memory.moves)));
   if (memory.rubble > 0) text += row("fragments", fmt::format("up to {} more if all bonds break", bytes_in_words(memory.rubble)));
   return text;
 }
@@ -29,6 +30,7 @@ output::Json memory_json(const Memory& memory) {
   json["steps [byte]"] = memory.at_rest;
   json["set_up [byte]"] = memory.setting_up;
   json["frames [byte]"] = memory.pictures;
+  json["moving_window [byte]"] = memory.moves;
   json["fragments [byte]"] = memory.rubble;
   return json;
 }

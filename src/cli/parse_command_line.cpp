@@ -8,7 +8,6 @@
 #include <map>
 
 #include "base/error.hpp"
-#include "io/deck/did_you_mean.hpp"
 
 namespace perimpact {
 
@@ -34,7 +33,7 @@ CLI::Option* add_to(CLI::App& app, const Option& option) {
 CLI::Validator is_one_of(std::vector<std::string> words) {
   const auto complaint = [words = std::move(words)](std::string& text) {
     const bool is_known = std::find(words.begin(), words.end(), text) != words.end();
-    return is_known ? std::string() : fmt::format("{} is unknown; {}", text, deck::suggestion(text, words));
+    return is_known ? std::string() : fmt::format("{} is unknown, known are {}", text, fmt::join(words, ", "));
   };
   return {complaint, ""};
 }

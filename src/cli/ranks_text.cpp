@@ -57,9 +57,9 @@ std::string ranks_text(const Setup& setup, const RankForecast& ranks, const Memo
                                                            of.sent.messages, of.sent.bytes, of.sent.reductions, of.sent.reduced_bytes, of.sent.collections));
   if (has_fragments(setup)) text += row("fragments", "contact between them adds messages and reductions, which are not forecast");
   if (of.computing > 0)
-    text += row("duration",
-                fmt::format("about {}: {} of computing on {} threads, {} of messages (latency {:.3g} s, bandwidth {:.3g} byte/s)", milliseconds(of.seconds()),
-                            milliseconds(of.computing), fccda::thread_count(), milliseconds(of.messaging), network.latency, network.bandwidth)) +
+    text += row("duration", fmt::format("about {}: {} of computing on {}, {} of messages (latency {:.3g} s, bandwidth {:.3g} byte/s)",
+                                        milliseconds(of.seconds()), milliseconds(of.computing), counted(fccda::thread_count(), "thread"),
+                                        milliseconds(of.messaging), network.latency, network.bandwidth)) +
             row("run", fmt::format("about {} for {:.4g} steps", duration_in_words(of.seconds() * step->steps), step->steps));
   return text;
 }

@@ -1,4 +1,4 @@
-/// A line of a report.
+/// Text of reports: a line, and a number of things.
 #pragma once
 
 #include <fmt/format.h>
@@ -9,5 +9,8 @@ namespace perimpact {
 
 /// "  name              value".
 inline std::string row(const char* name, const std::string& value) { return fmt::format("  {:<18}{}\n", name, value); }
+
+/// "1 thread", "2 threads".
+inline std::string counted(int number, const char* noun) { return fmt::format("{} {}{}", number, noun, number == 1 ? "" : "s"); }
 
 }  // namespace perimpact

@@ -11,6 +11,7 @@
 #include "cli/open_deck.hpp"
 #include "cli/progress.hpp"
 #include "cli/report_command.hpp"
+#include "cli/row.hpp"
 #include "cli/setup_text.hpp"
 #include "io/output/results_folder.hpp"
 #include "perimpact/simulation/ranks_report.hpp"
@@ -46,12 +47,12 @@ std::string ranks_text(const Simulation& simulation) {
       report.all.seconds);
 }
 
-/// "4 threads", "2 ranks with 4 threads each", or "NVIDIA H100, 4 threads".
+/// "1 thread", "2 ranks with 4 threads each", or "NVIDIA H100, 4 threads".
 std::string processors_text(const Simulation& simulation) {
   const Ranks& ranks = simulation.ranks();
-  const std::string threads = fmt::format("{} threads", fccda::thread_count());
+  const std::string threads = counted(fccda::thread_count(), "thread");
   if (const std::string device = simulation.device_name(); !device.empty()) return fmt::format("{}, {}", device, threads);
-  return ranks.size() == 1 ? threads : fmt::format("{} ranks with {} each", ranks.size(), fccda::thread_count() == 1 ? "1 thread" : threads);
+  return ranks.size() == 1 ? threads : fmt::format("{} ranks with {} each", ranks.size(), threads);
 }
 
 /// A command-line word, quoted for the shell.
@@ -67,6 +68,10 @@ std::string resuming(const RunArguments& arguments) {
   std::string text = "perimpact run " + quoted(arguments.deck.string());
   if (arguments.out) text += " --out " + quoted(*arguments.out);
   for (const std::string& change : arguments.set) text += " --set " + quoted(change);
+  if (arguments.threads > 0) text += fmt::format(" --threads {}", arguments.threads);
+  if (arguments.device != RunArguments().device) text += " --device " + arguments.device;
+  if (!arguments.messages.log.empty()) text += " --log " + quoted(arguments.messages.log.string());
+  if (arguments.no_report) text += " --no-report";
   return text + " --resume";
 }
 

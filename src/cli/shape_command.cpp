@@ -6,6 +6,7 @@
 #include <numbers>
 #include <type_traits>
 
+#include "base/error.hpp"
 #include "cli/mesh_report.hpp"
 #include "cli/surface_text.hpp"
 #include "io/deck/overrides.hpp"
@@ -54,7 +55,19 @@ deck::YamlNode map_of(const ShapeArguments& arguments) {
   return map;
 }
 
+/// Throws InputError if a required option is missing.
+void expect_complete(const ShapeArguments& arguments) {
+  const auto kind = std::ranges::find(shape_kinds(), arguments.shape, &ShapeKind::name);
+  for (const ShapeOption& option : kind->options) {
+    const bool is_given = std::ranges::any_of(arguments.values, [&](const auto& value) { return value.first.key == option.key; });
+    if (option.required.empty() || is_given) continue;
+    throw InputError(fmt::format("perimpact shape {0}: {1} is missing, a {2}; perimpact shape {0} --help lists the options.", arguments.shape, option.name,
+                                 option.required));
+  }
+}
+
 SurfaceSetup setup_of(const ShapeArguments& arguments) {
+  expect_complete(arguments);
   const deck::YamlNode map = map_of(arguments);
   Places places("perimpact shape " + arguments.shape);
   SurfaceSetup setup;
@@ -103,7 +116,8 @@ const std::vector<ShapeKind>& shape_kinds() {
         for (const deck::Entry& entry : deck::reference()) {
           if (entry.is_map || !entry.path.starts_with(path)) continue;
           const std::string key = entry.path.substr(path.size());
-          kind.options.push_back({key, option_name(key), help_of(entry)});
+          const bool is_required = entry.need == "required" && key.find('.') == std::string::npos;  // keys of a nested map: where it is given
+          kind.options.push_back({key, option_name(key), help_of(entry), is_required ? entry.form : ""});
         }
       }
     });

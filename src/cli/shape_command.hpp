@@ -14,6 +14,7 @@ struct ShapeOption {
   std::string key;   ///< stem_angle, sections.radius
   std::string name;  ///< --stem-angle, --sections-radius
   std::string help;
+  std::string required;  ///< its form, "number [m]", if the shape needs it; empty if not
 };
 
 struct ShapeKind {

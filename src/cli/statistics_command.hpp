@@ -18,7 +18,7 @@ struct StatisticsArguments {
   struct Channel {
     std::string of;        ///< body:axis; empty: no channel
     std::string from, to;  ///< lengths along the axis; empty: the whole body
-    double sheet = 0.1;    ///< minimum share of the particles in a fragment of the intact sheet
+    double sheet = 0.1;    ///< minimum share of the particles in a fragment of the remaining sheet
   } channel;
 };
 

@@ -89,7 +89,7 @@ Ranks& launched_ranks(int expected) {
   const int connected = processes->size();
   close_ranks();
   throw fccda::InputError(
-      expected > 0 ? fmt::format("--ranks {}: {} processes were started together; use mpirun -n {} perimpact run …", expected, connected, expected)
+      expected > 0 ? fmt::format("--ranks {}: the number of processes started together is {}; use mpirun -n {} perimpact run …", expected, connected, expected)
                    : fmt::format("of the {} processes that were started together, MPI connects {}; start them with the mpirun of Open MPI.", size, connected));
 }
 

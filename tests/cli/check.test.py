@@ -191,9 +191,14 @@ def _(t):
 
 @claim("check: refuses what run refuses, with the same sentence")
 def _(t):
-    for change in [("free_dofs: [y]", "free_dofs: [y]\n    contact_bounds: {box_union: {boxes: {a: {size: [40 mm, 40 mm, 30 mm]}}}}"), ("5 mm", "5 kg"), ("end: 20 us", "end: 20 us, step: 3 us"), ("[0, 50 mm, 0]", "[0, 40 mm, 0]"), ("to: [0, 30 mm, 0]", "to: [0, 1, 0]")]:
+    changes = [
+        ("free_dofs: [y]", "free_dofs: [y]\n    contact_bounds: {box_union: {boxes: {a: {size: [40 mm, 40 mm, 30 mm]}}}}"), ("5 mm", "5 kg"),
+        ("end: 20 us", "end: 20 us, step: 3 us"), ("[0, 50 mm, 0]", "[0, 40 mm, 0]"), ("to: [0, 30 mm, 0]", "to: [0, 1, 0]"),
+    ]  # fmt: skip
+    for change in changes:
         deck = t.deck(change)
         checked, run = (t.run_program(command, deck, "--out", "r") for command in ("check", "run"))
+        t.expect_complaint(checked, 2, "deck.yaml:")
         t.assertEqual((checked.code, checked.err), (run.code, run.err))
 
 
@@ -210,7 +215,7 @@ def _(t):
     t.assertEqual((ranks["messages"], ranks["sent [byte]"]), (2, 240 * (48 + 8)))  # positions and velocities, then dilatations
     t.assertEqual((ranks["reductions"], ranks["reduced [byte]"], ranks["collections"]), (3, 24, 1))
     t.assertIn("\n  messages          2, at most 13440 bytes; 3 reductions of 24 bytes in all; collections of contacts: 1\n", out)
-    t.assertRegex(out, r"\n  duration          about [\d.e-]+ ms: [\d.e-]+ ms of computing on \d+ threads, [\d.e-]+ ms of messages \(latency 2e-06 s, bandwidth 1e\+10 byte/s\)\n")
+    t.assertRegex(out, r"\n  duration          about [\d.e-]+ ms: [\d.e-]+ ms of computing on \d+ threads?, [\d.e-]+ ms of messages \(latency 2e-06 s, bandwidth 1e\+10 byte/s\)\n")
     t.assertAlmostEqual(ranks["step [s]"] - ranks["computing [s]"], 6 * 2e-6 + (13440 + 24) / 1e10, delta=1e-12)
     slow = json.loads(t.expect_success("check", deck, "--ranks", "2", "--json", "--latency", "1e-3", "--bandwidth", "1e6").out)["ranks"]
     t.assertAlmostEqual(slow["step [s]"] - slow["computing [s]"], 6 * 1e-3 + (13440 + 24) / 1e6, delta=1e-9)

@@ -152,10 +152,10 @@ def _(t):
                  "docs/guide/command_line.md is of another state of the program; write it with perimpact manual --markdown")
 
 
-@claim("command line: unknown words of a choice are refused with the nearest one")
+@claim("command line: unknown words of a choice are refused with the nearest one, or with all")
 def _(t):
     t.expect_complaint(t.run_program("completion", "zhs"), 2, "there is no completion for the shell zhs; did you mean zsh?")
-    t.expect_complaint(t.run_program("run", t.deck(), "--progress", "jsn"), 2, "--progress: jsn is unknown; did you mean json", "perimpact run --help")
+    t.expect_complaint(t.run_program("run", t.deck(), "--progress", "jsn"), 2, "--progress: jsn is unknown, known are line, json; perimpact run --help")
 
 
 main()

@@ -225,7 +225,7 @@ def _(t):
     t.assertEqual(contents(t, "r0"), contents(t, "r1"))
     t.assertNotIn("ranks", t.report("r0"))
     done = with_program(t, two, lambda: t.run_program("run", deck, "--ranks", "3"))
-    expect_one_error(t, done, 2, "--ranks 3: 2 processes were started together; use mpirun -n 3 perimpact run")
+    expect_one_error(t, done, 2, "--ranks 3: the number of processes started together is 2; use mpirun -n 3 perimpact run")
 
 
 @claim("ranks: the library passes messages, sums and tables of any length between 1, 2 and 4 processes")

@@ -91,8 +91,9 @@ def _(t):
 def _(t):
     changes = ["--set", "impactors.cylinder.velocity=[0, -30, 0]", "--set", "output.checkpoint_interval=0"]
     name = deck(t)
-    t.assertEqual(run(t, name, "--out", "whole", *changes).code, 0)
-    process = t.start("run", name, "--out", "it is here", *changes)
+    ways = ["--threads", "2", "--device", "cpu-scalar", "--log", "its log", "--no-report"]
+    t.assertEqual(run(t, name, "--out", "whole", *changes, *ways[2:]).code, 0)
+    process = t.start("run", name, "--out", "it is here", *changes, *ways)
     history = t.folder / "it is here/history.csv"
     while not history.exists() or history.read_bytes().count(b"\n") < 3:
         t.assertIsNone(process.poll())
@@ -102,8 +103,8 @@ def _(t):
     t.assertEqual((process.returncode, err), (130, ""))
     step = int(re.search(r"\(step (\d+) of 600\)", out)[1])
     command = re.search(r"; resume with perimpact (run .*)", out)[1]
-    t.assertEqual(command, f"run deck.yaml --out 'it is here' --set 'impactors.cylinder.velocity=[0, -30, 0]' --set output.checkpoint_interval=0 --resume")
-    done = run(t, name, "--out", "it is here", *changes, "--resume", threads=1)
+    t.assertEqual(command, f"run deck.yaml --out 'it is here' --set 'impactors.cylinder.velocity=[0, -30, 0]' --set output.checkpoint_interval=0 --threads 2 --device cpu-scalar --log 'its log' --no-report --resume")
+    done = run(t, name, "--out", "it is here", *changes, *ways, "--resume")
     t.assertEqual((done.code, done.err), (0, ""))
     t.assertIn(f"Resumed at step {step} (t = ", done.out)
     t.assertEqual(t.report("it is here")["resumed_at_steps"], [step])

@@ -54,8 +54,10 @@ def _(t):
     def complaint(*arguments):
         return t.run_program("shape", *arguments)
 
-    t.expect_complaint(complaint("hull"), 2, "perimpact shape hull: hull lacks length [m]")
-    t.expect_complaint(complaint("hull", "--length", "5 kg"), 2, "--length: length is \"5 kg\", but that is a mass")
+    t.expect_complaint(complaint("hull"), 2, "perimpact shape hull: --length is missing, a number [m]; perimpact shape hull --help")
+    wrong = list(HULL)
+    wrong[wrong.index("--length") + 1] = "5 kg"
+    t.expect_complaint(complaint("hull", *wrong), 2, "--length: length is \"5 kg\", but that is a mass")
     t.expect_complaint(complaint("hull", *HULL, "--fullness", "9"), 2, "--fullness: fullness is 9, but it must be from 1 to 4")
     t.expect_complaint(complaint("hull", *HULL, "--bilge-radius", "10"), 2, "hull: bilge_radius is 10 m")
     t.expect_complaint(complaint("propeller", "--diameter", "4", "--edge-length", "0.2"), 2, "propeller: pitch_ratio is missing")

@@ -71,6 +71,43 @@ std::string as_text(std::string_view name, const Entry& entry, std::ptrdiff_t le
   return entry.sentence.empty() ? line : fmt::format("{}{}    {}\n", line, indent, entry.sentence);
 }
 
+/// All entries below one, which follow it in the reference.
+std::string text_below(const Entry& root) {
+  const std::span<const Entry> all(reference());
+  std::string out;
+  for (auto entry = all.begin() + (&root - all.data()) + 1; entry != all.end() && is_below(*entry, root); ++entry)
+    out += as_text(entry->key(), *entry, depth(*entry) - depth(root));
+  return out;
+}
+
+/// A key as it is described: several entries, if they differ in their condition alone.
+struct DescribedKey {
+  Entry entry;
+  std::string below;
+};
+
+/// "with model: a" and "with model: b" give "with model: a, b".
+void add_condition(std::string& condition, const std::string& other) {
+  const std::size_t begin = other.find(": ") + 2;
+  if (condition != other) condition += ", " + (condition.starts_with(other.substr(0, begin)) ? other.substr(begin) : other);
+}
+
+std::vector<DescribedKey> merged(std::span<const Entry* const> roots) {
+  std::vector<DescribedKey> all;
+  for (const Entry* root : roots) {
+    const std::string below = text_below(*root);
+    const auto same = std::ranges::find_if(all, [&](const DescribedKey& one) {
+      return one.entry.path == root->path && one.entry.form == root->form && one.entry.range == root->range && one.entry.need == root->need &&
+             one.entry.sentence == root->sentence && one.entry.condition.empty() == root->condition.empty() && one.below == below;
+    });
+    if (same == all.end())
+      all.push_back({*root, below});
+    else
+      add_condition(same->entry.condition, root->condition);
+  }
+  return all;
+}
+
 }  // namespace
 
 std::string describe(std::string_view key_path) {
@@ -84,12 +121,7 @@ std::string describe(std::string_view key_path) {
     const std::string meant = suggested_key(keys_of(key_path).back());
     refuse(key_path, meant.empty() ? "a deck has no such key; perimpact describe lists all." : fmt::format("a deck has no such key; did you mean {}?", meant));
   }
-  for (const Entry* root : roots) {
-    out += as_text(root->path, *root, 0);
-    for (const Entry& entry : reference()) {
-      if (is_below(entry, *root)) out += as_text(entry.key(), entry, depth(entry) - depth(*root));
-    }
-  }
+  for (const auto& [entry, below] : merged(roots)) out += as_text(entry.path, entry, 0) + below;
   return out;
 }
 

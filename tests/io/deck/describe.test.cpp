@@ -9,9 +9,7 @@ using perimpact::deck::describe;
 
 namespace {
 constexpr std::string_view poissons_ratio =
-    "bodies.<name>.material.poissons_ratio: number, above -1 and below 0.5, default 0.25, with model: ordinary-state\n"
-    "    Poisson's ratio ν: an isotropic solid needs -1 < ν < 0.5. Ice is usually 0.25 to 0.35. 0.25 is the fastest.\n"
-    "bodies.<name>.material.poissons_ratio: number, above -1 and below 0.5, default 0.25, with model: linear-peridynamic-solid\n"
+    "bodies.<name>.material.poissons_ratio: number, above -1 and below 0.5, default 0.25, with model: ordinary-state, linear-peridynamic-solid\n"
     "    Poisson's ratio ν: an isotropic solid needs -1 < ν < 0.5. Ice is usually 0.25 to 0.35. 0.25 is the fastest.\n"
     "bodies.<name>.material.poissons_ratio: number, above -1 and below 0.5, default 0.25, with model: correspondence\n"
     "    Poisson's ratio ν: an isotropic solid needs -1 < ν < 0.5. Ice is usually 0.25 to 0.35.\n";
@@ -52,6 +50,19 @@ TEST_CASE("describe: a key in several maps is listed for each") {
   const std::string text = describe("diameter");
   CHECK(text.find("impactors.<name>.surface.cylinder.diameter: ") != std::string::npos);
   CHECK(text.find("impactors.<name>.surface.sphere.diameter: ") != std::string::npos);
+}
+
+TEST_CASE("describe: a key that is the same with several models is described once, with its own contents once") {
+  const auto times = [](std::string_view path, std::string_view words) {
+    const std::string text = describe(path);
+    int found = 0;
+    for (std::size_t at = text.find(words); at != std::string::npos; at = text.find(words, at + 1)) ++found;
+    return found;
+  };
+  CHECK(times("plasticity", "material.plasticity: ") == 1);
+  CHECK(times("plasticity", "\n  failure_strain: ") == 1);
+  CHECK(times("plasticity", "with model: ordinary-state, linear-peridynamic-solid, bond-based, correspondence\n") == 1);
+  CHECK(times("failure_strain", "failure_strain: ") == 1);
 }
 
 TEST_CASE("describe: without a path all keys are listed") {
