@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <new>
 #include <utility>
 
 #include "run/stop_signals.hpp"
@@ -59,12 +60,23 @@ Traffic RunLoop::collectives_in_step(const OutputSetup& setup) {
   return traffic;
 }
 
+namespace {
+
+/// Fragments in contact need more memory than the intact body (docs/guide/cluster.md).
+fccda::RunError out_of_memory(long step) {
+  return fccda::RunError(fmt::format("After step {} there is not enough memory; use a machine with more of it, or a larger spacing.", step));
+}
+
+}  // namespace
+
 void RunLoop::step(const Watch& watch) {
   const long before = simulation_.clock().step;
   try {
     simulation_.step([&](const Relaxed&) { return watch.in_increment(); });
   } catch (const fccda::RunError& error) {
     fail(error, false);
+  } catch (const std::bad_alloc&) {
+    fail(out_of_memory(before), true);
   }
   is_within_increment_ = simulation_.clock().step == before;
   if (is_within_increment_ || !results_) return;
@@ -97,6 +109,8 @@ void RunLoop::write(const Write& write_files) {
     write_files();
   } catch (const fccda::RunError& error) {
     fail(error, true);
+  } catch (const std::bad_alloc&) {
+    fail(out_of_memory(simulation_.clock().step), true);
   }
 }
 

@@ -138,4 +138,15 @@ def _(t):
         shutil.rmtree(t.folder / "r")
 
 
+@claim("prolong: files.txt lists the frames of both parts, so that the run can be resumed with more of them and replaced wholly")
+def _(t):
+    deck = t.deck(*SHORT)
+    t.expect_success("run", deck, "--out", "r", "--set", "output.frames=10")
+    t.expect_success("run", deck, "--out", "r", "--resume", "--set", "time.end=60 us", "--set", "output.frames=10")
+    t.assertIn("frames/plate_00013.vtp", t.files("r"))
+    t.expect_success("run", deck, "--out", "r", "--resume", "--set", "time.end=90 us", "--set", "output.frames=40")
+    t.expect_success("run", deck, "--out", "r", "--force", "--set", "output.frames=2")
+    t.assertEqual([name for name in t.files("r") if name.startswith("frames/plate_")], [f"frames/plate_{k:05}.vtp" for k in range(3)])
+
+
 main()

@@ -6,6 +6,7 @@
 #include <cerrno>
 #include <cstddef>
 #include <cstring>
+#include <system_error>
 #include <vector>
 
 #include "base/error.hpp"
@@ -20,6 +21,7 @@ using hdf5::Handle, hdf5::Quiet, hdf5::type_in_memory;
 struct ArraysReader::File {
   Quiet quiet;
   std::filesystem::path path;
+  std::uintmax_t size = 0;
   Handle opened;
   std::uint64_t read = 0;
 };
@@ -44,12 +46,14 @@ bool has_fingerprint(hid_t array, const std::string& name, const void* bytes, st
 
 ArraysReader::ArraysReader(const std::filesystem::path& path) : file_(std::make_unique<File>()) {
   file_->path = path;
+  std::error_code unknown;
+  file_->size = std::filesystem::file_size(path, unknown);
   const output::Descriptor readable(::open(path.c_str(), O_RDONLY | O_CLOEXEC));
   if (!readable.is_open())
     throw fccda::InputError(fmt::format("{} cannot be read: {}. Make it readable, or start a new run without --resume.", path.string(), std::strerror(errno)));
   const Handle access = hdf5::file_access();
   file_->opened = Handle(H5Fopen(path.c_str(), H5F_ACC_RDONLY, access.id()), H5Fclose);
-  expect(file_->opened.is_open(), "it is not a complete HDF5 file");
+  expect(!unknown && file_->opened.is_open(), "it is not a complete HDF5 file");
 }
 
 ArraysReader::~ArraysReader() = default;
@@ -67,7 +71,7 @@ std::size_t ArraysReader::length(const std::string& name, hdf5::NumberType type)
   const hssize_t count = H5Sget_simple_extent_npoints(space.id());
   expect(H5Tequal(stored.id(), type_in_memory(type)) > 0 && count >= 0, "the array " + name + " has another number type than expected");
   // before memory is allocated: a stated array size cannot exceed the file size
-  expect(count == 0 || static_cast<std::uintmax_t>(count) <= std::filesystem::file_size(file_->path), "the array " + name + " is longer than the file");
+  expect(count == 0 || static_cast<std::uintmax_t>(count) <= file_->size, "the array " + name + " is longer than the file");
   return static_cast<std::size_t>(count);
 }
 
@@ -84,8 +88,7 @@ std::string ArraysReader::text(const std::string& name) {
   const Handle array(H5Dopen2(file_->opened.id(), name.c_str(), H5P_DEFAULT), H5Dclose);
   expect(array.is_open(), "the text " + name + " is missing");
   const Handle type(H5Dget_type(array.id()), H5Tclose), space(H5Dget_space(array.id()), H5Sclose);
-  expect(is_text(type.id()) && H5Sget_simple_extent_npoints(space.id()) == 1 && H5Tget_size(type.id()) <= std::filesystem::file_size(file_->path),
-         name + " is not a text");
+  expect(is_text(type.id()) && H5Sget_simple_extent_npoints(space.id()) == 1 && H5Tget_size(type.id()) <= file_->size, name + " is not a text");
   std::string text(H5Tget_size(type.id()), '\0');
   const bool done = H5Dread(array.id(), type.id(), H5S_ALL, H5S_ALL, H5P_DEFAULT, text.data()) >= 0;
   text.pop_back();
@@ -134,8 +137,7 @@ void ArraysReader::expect_intact() {
     if (!array.is_open()) continue;  // a group
     const Handle type(H5Dget_type(array.id()), H5Tclose), space(H5Dget_space(array.id()), H5Sclose);
     const hssize_t count = H5Sget_simple_extent_npoints(space.id());
-    expect(count >= 0 && static_cast<std::uintmax_t>(count) * H5Tget_size(type.id()) <= std::filesystem::file_size(file_->path),
-           "the array " + name + " is longer than the file");
+    expect(count >= 0 && static_cast<std::uintmax_t>(count) * H5Tget_size(type.id()) <= file_->size, "the array " + name + " is longer than the file");
     std::vector<std::byte> bytes(static_cast<std::size_t>(count) * H5Tget_size(type.id()));
     const bool done = bytes.empty() || H5Dread(array.id(), type.id(), H5S_ALL, H5S_ALL, H5P_DEFAULT, bytes.data()) >= 0;
     if (is_text(type.id())) bytes.pop_back();  // its terminating zero

@@ -43,16 +43,28 @@ double time_of(long step, const Clock& clock) { return static_cast<double>(step)
 
 FrameFormat format_of(const Simulation& simulation) { return simulation.setup().output.frame_format.as<FrameFormat>(); }
 
-/// All that the run may write.
-output::FileList planned_files(const Simulation& simulation, std::span<const Line> lines) {
+long step_of_frame(int frame, int frames, long steps) { return std::lround(static_cast<double>(steps) * frame / frames); }
+
+/// Frames of a series that the run will have at its end: those written by the run that is resumed, if any, and those due after the current step.
+std::size_t planned_frames(const Simulation& simulation, const Written* written) {
+  const int frames = simulation.setup().output.frames;
+  if (!written) return frames > 0 ? static_cast<std::size_t>(frames) + 1 : 0;
+  std::size_t planned = 0;
+  for (const std::vector<double>& times : written->frame_times) planned = std::max(planned, times.size());
+  for (int frame = 0; frames > 0 && frame <= frames; ++frame) planned += step_of_frame(frame, frames, simulation.clock().steps) > simulation.clock().step ? 1 : 0;
+  return planned;
+}
+
+/// All that the run may write. `written`: by the run that is resumed, if any.
+output::FileList planned_files(const Simulation& simulation, std::span<const Line> lines, const Written* written = nullptr) {
   const OutputSetup& setup = simulation.setup().output;
   output::FileList list;
   for (const char* file : {"run.json", "report.html", "open_in_paraview.py", "history.csv", "history.json", "checkpoint.h5"}) list.add(file);
   for (int age = 1; age < setup.checkpoints_kept; ++age) list.add(output::ResultsFolder::checkpoint_in("", age).string());
   if (setup.checkpoints_kept > 1) list.add(output::ResultsFolder::next_checkpoint_in("").string());
   const auto add_series = [&](const std::string& name) {
-    if (setup.frames == 0) return;
-    frames::Series::list(list, name, format_of(simulation), static_cast<std::size_t>(setup.frames) + 1);  // an interrupted run has an additional one
+    if (const std::size_t frames = planned_frames(simulation, written); frames > 0)
+      frames::Series::list(list, name, format_of(simulation), frames);  // and one more, where it is interrupted
   };
   for (const Body& body : simulation.bodies()) {
     add_series(body.name);
@@ -146,7 +158,7 @@ ResultsWriter::Files::Files(const Simulation& simulation, const std::filesystem:
 }
 
 ResultsWriter::Files::Files(const Simulation& simulation, const std::filesystem::path& path, std::span<const Line> lines, Written& written)
-    : folder((expect_files(simulation, path, lines, written), path), planned_files(simulation, lines), later_files(simulation, path, lines, written)),
+    : folder((expect_files(simulation, path, lines, written), path), planned_files(simulation, lines, &written), later_files(simulation, path, lines, written)),
       history(folder.history(), simulation.monitors().columns().size(), written.history),
       panel_frames(std::move(written.panel_frames)) {
   auto times = written.frame_times.begin();
@@ -201,8 +213,6 @@ Written ResultsWriter::written() {
   written.resumed_at = resumed_at_;
   return written;
 }
-
-long step_of_frame(int frame, int frames, long steps) { return std::lround(static_cast<double>(steps) * frame / frames); }
 
 void ResultsWriter::skip_frames_until(long step, const Clock& clock) {
   // where more frames are requested than there are steps, one frame counts for several

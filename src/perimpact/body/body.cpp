@@ -75,10 +75,20 @@ double relative_bending_stiffness(const BodySetup& setup, std::size_t axis, int 
   return perimpact::relative_bending_stiffness(plate, law, correction_of(setup), stencil);
 }
 
-/// Stiffness factor of bending_calibration. Throws SetupError if the layers across its axis cannot be calibrated.
-double bending_calibration(const BodySetup& setup, const Particles& particles) {
-  const std::size_t axis = static_cast<std::size_t>(setup.bending_calibration.index) - 1;
-  const int layers = layers_along(axis, particles);
+std::vector<std::size_t> never_failing(const BodySetup& setup, const Particles& particles) {
+  std::vector<std::size_t> slots;
+  if (!setup.failure) return slots;
+  for (const std::string& region : setup.failure->no_fail) {
+    const auto more = slots_in(region, setup, particles, "bodies." + setup.name + ".failure.no_fail");
+    slots.insert(slots.end(), more.begin(), more.end());
+  }
+  return slots;
+}
+
+}  // namespace
+
+double bending_calibration(const BodySetup& setup, int layers) {
+  const std::size_t axis = axis_of_calibration(setup);
   const auto refuse = [&](const std::string& reason) { throw SetupError("bodies." + setup.name + ".bending_calibration", reason); };
   if (layers < 2 || layers > most_layers_that_bend)
     refuse(fmt::format("body {} has {} layers of particles along {}, but bending_calibration is for plates of 2 to {} layers; {}.", setup.name, layers,
@@ -91,18 +101,6 @@ double bending_calibration(const BodySetup& setup, const Particles& particles) {
                        layers, setup.name, relative));
   return 1 / relative;
 }
-
-std::vector<std::size_t> never_failing(const BodySetup& setup, const Particles& particles) {
-  std::vector<std::size_t> slots;
-  if (!setup.failure) return slots;
-  for (const std::string& region : setup.failure->no_fail) {
-    const auto more = slots_in(region, setup, particles, "bodies." + setup.name + ".failure.no_fail");
-    slots.insert(slots.end(), more.begin(), more.end());
-  }
-  return slots;
-}
-
-}  // namespace
 
 std::optional<BendingOfLayers> bending_of_thin(const BodySetup& setup, const Particles& particles) {
   const bool has_bonds = with_material(setup, [](const auto&, auto kind) { return kind.has_bonds; });
@@ -161,7 +159,8 @@ Body make_body(const BodySetup& setup, Particles particles, fccda::Stages& stage
     family.emplace(find_bonds(setup.family.as<FamilyRule>(), horizon, particles), particles);
   }
   std::optional<double> bending;
-  if (setup.bending_calibration.as<ThinAxis>() != ThinAxis::none) elastic.youngs_modulus *= bending.emplace(bending_calibration(setup, particles));
+  if (setup.bending_calibration.as<ThinAxis>() != ThinAxis::none)
+    elastic.youngs_modulus *= bending.emplace(bending_calibration(setup, layers_along(axis_of_calibration(setup), particles)));
   const OrdinaryState law(elastic, influences, horizon, particles.thickness().value_or(1), lattice);
 
   stages.begin("surface correction", setup.name);

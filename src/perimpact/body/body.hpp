@@ -77,6 +77,11 @@ struct BendingOfLayers {
 /// For a body on a lattice at least four times as wide as thick; empty for others and for the model correspondence.
 std::optional<BendingOfLayers> bending_of_thin(const BodySetup& setup, const Particles& particles);
 
+/// Axis across which the layers are calibrated, with bending_calibration.
+inline std::size_t axis_of_calibration(const BodySetup& setup) { return static_cast<std::size_t>(setup.bending_calibration.index) - 1; }
+/// Factor k_b on the stiffness of all bonds with which so many layers bend as a plate. Throws SetupError if they cannot be calibrated.
+double bending_calibration(const BodySetup& setup, int layers);
+
 /// Builds the body of these particles: bonds and surface correction first, then initial cracks. Throws SetupError if a crack cannot be cut.
 Body make_body(const BodySetup& setup, Particles particles, fccda::Stages& stages);
 inline Body make_body(const BodySetup& setup, Particles particles) {

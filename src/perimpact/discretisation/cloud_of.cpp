@@ -139,7 +139,7 @@ Cloud cloud_of(const Shape& shape, const BodySetup& body) {
   Cloud cloud;
   try {
     cloud = given(shape);
-    constexpr auto most = static_cast<std::size_t>(std::numeric_limits<std::uint32_t>::max() - 8);
+    constexpr auto most = static_cast<std::size_t>(std::numeric_limits<std::int32_t>::max() - 8);
     if (cloud.points.size() > most)
       throw InputError(fmt::format("{}: {} particles exceed the maximum of {}; use fewer.", shape.file, cloud.points.size(), most));
     expect_apart(cloud, surface_share * spacing_of(cloud), shape.file);

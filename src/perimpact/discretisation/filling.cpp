@@ -36,7 +36,7 @@ double slots_of(const BodySetup& body, const BodySolid& solid) {
 
 Lattice lattice_that_fills(const BodySetup& body, const BodySolid& solid) {
   const double spacing = body.spacing.value(), slots = slots_of(body, solid);
-  constexpr double most = std::numeric_limits<std::uint32_t>::max();
+  constexpr double most = std::numeric_limits<std::int32_t>::max();  // pairs of particles and cells of frames have their numbers as such
   if (!(slots < most))
     throw SetupError(
         "bodies." + body.name + ".spacing",

@@ -321,10 +321,11 @@ void Monitors::check_energy(const Scene& scene, double energy, double work, doub
   const double available = first_energy_ + std::fabs(work) + energy_of_rounding(scene.bodies, clock.dt) + unpaid;
   const double excess = energy - work - first_energy_ - unpaid;
   if (!(excess > 0.05 * available)) return;
+  const std::string discarded = discarded_energy_ == 0 ? "" : fmt::format(", less {:.4g} J that moving windows discarded", discarded_energy_);
   std::string sentence = fmt::format(
-      "At step {} ({:.6g} s) the energy is {:.4g} J, {:.3g} J more than the initial {:.4g} J plus {:.4g} J of external work: the time step of {:.3g} s is "
+      "At step {} ({:.6g} s) the energy is {:.4g} J, {:.3g} J more than the initial {:.4g} J plus {:.4g} J of external work{}: the time step of {:.3g} s is "
       "unstable for this run; reduce it.",
-      clock.step, clock.time(), energy, energy - work - first_energy_, first_energy_, work, clock.dt);
+      clock.step, clock.time(), energy, energy - work - first_energy_, first_energy_ + discarded_energy_, work, discarded, clock.dt);
   if (-contact_dissipation > 0.5 * excess)
     sentence += fmt::format(
         " Contact with impactors added {:.3g} J: particles slide over an edge or tip that is sharper than their spacing, and move too far per step. Use a "

@@ -57,7 +57,7 @@ std::vector<double> fictitious_density(const Body& body, double dt, double safet
 
 Relaxation::Relaxation(const RelaxSetup& setup, std::span<const Body> bodies, double dt, double safety) : setup_(setup), dt_(dt) {
   for (const Body& body : bodies) {
-    Search& search = searches_.emplace_back();
+    Search& search = searches_.emplace_back(Search{.particles = &body.particles});
     search.density = fictitious_density(body, dt, safety);
     const Particles& particles = body.particles;
     double furthest = 0;  // [m]

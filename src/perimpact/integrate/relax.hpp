@@ -15,6 +15,7 @@
 /// transient motion has no physical meaning.
 #pragma once
 
+#include <cstdint>
 #include <functional>
 #include <optional>
 #include <span>
@@ -25,6 +26,7 @@
 #include "perimpact/body/body.hpp"
 #include "perimpact/boundary_conditions/boundary_conditions.hpp"
 #include "perimpact/deck_model/setup.hpp"
+#include "perimpact/particles/shared_numbers.hpp"
 
 namespace perimpact {
 
@@ -62,14 +64,22 @@ class Relaxation {
     visit("iterations", latest_.iterations);
     for (std::size_t b = 0; b < searches_.size(); ++b) {
       auto its = fccda::under(std::to_string(b), visit);
-      its("position0", searches_[b].position0);
-      its("force0", searches_[b].force0);
+      Search& search = searches_[b];
+      const auto list = [&](const char* name, std::vector<double>& numbers) {
+        const std::span<const std::uint32_t> slots = search.particles->slot_of();
+        if (under_way_) numbers.resize(3 * slots.size());  // where they are read
+        ListNumbers listed(std::span<double>(numbers), slots);
+        listed.share = &search.particles->share();
+        its(name, listed);
+      };
+      list("position0", search.position0), list("force0", search.force0);
     }
   }
 
  private:
   /// Data for the iterations of one body.
   struct Search {
+    const Particles* particles;             // of the body
     std::vector<double> density;            // [kg/m³] D of each slot
     double rounding = 0;                    // [N]
     std::vector<double> position0, force0;  // [m] [N/m³] three of each particle, reference of the displacement

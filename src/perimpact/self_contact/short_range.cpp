@@ -356,22 +356,26 @@ void ShortRange::for_each_near(std::size_t m, const F& f) const {
 }
 
 ShortRange::Bound ShortRange::bound(std::span<const ContactingBody> bodies, std::size_t b) const {
-  struct Largest {
-    double volume = 0, mass = 0;
+  struct Extremes {
+    double largest = 0, largest_mass = 0, smallest = std::numeric_limits<double>::infinity(), smallest_mass = smallest;  // volumes, masses
   };
-  const auto largest = [](const Particles& particles) {
-    Largest found;
-    for (const std::uint32_t slot : particles.slot_of()) found = {std::max(found.volume, particles.volume(slot)), std::max(found.mass, particles.mass(slot))};
-    return Largest{particles.share().ranks().max(found.volume), particles.share().ranks().max(found.mass)};
+  const auto extremes = [](const Particles& particles) {
+    Extremes found;
+    for (const std::uint32_t slot : particles.slot_of()) {
+      const double volume = particles.volume(slot), mass = particles.mass(slot);
+      found = {std::max(found.largest, volume), std::max(found.largest_mass, mass), std::min(found.smallest, volume), std::min(found.smallest_mass, mass)};
+    }
+    Ranks& ranks = particles.share().ranks();
+    return Extremes{ranks.max(found.largest), ranks.max(found.largest_mass), -ranks.max(-found.smallest), -ranks.max(-found.smallest_mass)};
   };
-  const Largest own = largest(bodies[b].particles);
+  const Extremes own = extremes(bodies[b].particles);
   Bound bound{};
   for (std::size_t other = 0; other < bodies.size(); ++other) {
-    const Largest its = largest(bodies[other].particles);
+    const Extremes its = extremes(bodies[other].particles);
     const double k = in_series(bodies[b].stiffness, bodies[other].stiffness);
-    const double mass = own.mass * its.mass / (own.mass + its.mass);
-    bound.stiffness = std::max(bound.stiffness, most_in_contact * k * its.volume);
-    bound.damping = std::max(bound.damping, most_in_contact * 2 * law_.damping_ratio * std::sqrt(k * its.volume * mass / own.volume));
+    const double mass = own.smallest_mass * its.largest_mass / (own.smallest_mass + its.largest_mass);  // a dashpot brakes the smallest particle most
+    bound.stiffness = std::max(bound.stiffness, most_in_contact * k * its.largest);
+    bound.damping = std::max(bound.damping, most_in_contact * 2 * law_.damping_ratio * std::sqrt(k * its.largest * mass / own.smallest));
   }
   return bound;
 }

@@ -100,6 +100,7 @@ struct BodyMemory {
   double making = 0;   ///< more while bonds are found and the material is built
   double step = 0;     ///< more while the stable time step is determined
   double picture = 0;  ///< more while an output frame is written
+  double move = 0;     ///< more while its window moves
   double rubble = 0;   ///< more if all bonds break
 };
 
@@ -159,6 +160,9 @@ BodyMemory memory_of(const Setup& setup, const BodySetup& body, const Discretisa
         (sizeof(NearPairs::Member) + vector + 1 + 3 * slot_number + vector) * p + (number + 1 + 2 + slot_number + sizeof(std::uint32_t) / lanes) * n;
     memory.rubble = rubble_of(body, setup.contact.fragments) * n;
   }
+  // a new body, and a copy of the state
+  if (body.moving_window)
+    memory.move = memory.particles + memory.bonds + memory.making + 9 * number * n + length.rows + (memory.impactors + memory.fragments) / 2;
   return memory;
 }
 
@@ -176,6 +180,7 @@ Memory sum_of(std::span<const BodyMemory> bodies) {
     sum.particles.push_back(body.count);
     sum.of_bodies.push_back(body.particles + body.bonds + body.deck);
     sum.pictures = std::max(sum.pictures, body.picture);
+    sum.moves = std::max(sum.moves, body.move);
   }
   sum.at_rest = filled + built + others;
   sum.setting_up = std::max({0.0, while_built - sum.at_rest, step});
@@ -190,6 +195,7 @@ void Memory::reduce_to(double share) {
   at_rest = alike + share * (at_rest - alike);
   for (double& of_body : of_bodies) of_body *= share;
   setting_up *= share;
+  moves *= share;
   rubble *= share;
 }
 
@@ -220,7 +226,7 @@ double share_of_memory(const Setup& setup, std::span<const Discretisation> bodie
   return largest;
 }
 
-double Memory::peak() const { return at_rest + std::max(setting_up, pictures); }
+double Memory::peak() const { return at_rest + std::max({setting_up, pictures, moves}); }
 
 Memory memory_of(const Setup& setup, std::span<const Discretisation> bodies) {
   std::vector<BodyMemory> each;

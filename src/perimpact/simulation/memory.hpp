@@ -18,6 +18,7 @@ struct Memory {
   double at_rest = 0;     ///< during steps
   double setting_up = 0;  ///< largest addition during the set-up
   double pictures = 0;    ///< largest addition while an output frame is written
+  double moves = 0;       ///< largest addition while a moving window moves
   double rubble = 0;      ///< addition with `contact.fragments` if all bonds have broken, in rubble as dense as the solid
   double decks = 0;       ///< of at_rest: points of clouds in the deck, which every rank has
 

@@ -1,6 +1,10 @@
 #include "perimpact/simulation/sample_block.hpp"
 
 #include <cmath>
+#include <variant>
+
+#include "perimpact/body/body.hpp"
+#include "perimpact/discretisation/filling.hpp"
 
 namespace perimpact {
 
@@ -32,7 +36,13 @@ BodySetup sample_block(const BodySetup& body, const Discretisation& discretisati
   block.add = block.holes = block.particle_sets = {};
   block.cracks = {};
   block.boundary_conditions = {};
-  block.bending_calibration.index = 0;
+  block.moving_window = {};
+  if (block.bending_calibration.as<ThinAxis>() != ThinAxis::none) {
+    const int layers = lattice_that_fills(body, std::get<BodySolid>(discretisation)).cells[axis_of_calibration(body)];
+    const double stiffness = bending_calibration(body, layers) * elastic_of(body).youngs_modulus;
+    std::visit([&](auto& material) { material.youngs_modulus = stiffness; }, block.material);
+    block.bending_calibration.index = 0;  // the block is as stiff, but not as thin
+  }
   if (block.failure) block.failure->no_fail = {};
   return block;
 }

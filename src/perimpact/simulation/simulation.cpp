@@ -37,6 +37,8 @@ std::vector<BoundaryConditions> make_boundary_conditions(const Setup& setup, std
                                      [&](const std::string& region, const std::string& key) { return slots_in(region, body, particles, key); });
   }
   for (UserForceOnBody& given : user_forces) {
+    if (bodies[given.body].particles.share().ranks().size() > 1)
+      throw fccda::InputError(fmt::format("user forces such as {} are not supported in a run of several ranks; run one process.", given.name));
     if (setup.time.relax)
       throw SetupError(
           "time.relax",

@@ -202,6 +202,45 @@ TEST_CASE("ranks: equilibria under prescribed displacements and pressure, with b
   }
 }
 
+TEST_CASE("ranks: an increment of a search for equilibrium that is interrupted continues bitwise on another number of ranks") {
+  BodySetup plate = fixtures::body_setup({.size = {0.040, 0.032, 0.006}, .spacing = 0.002, .poissons_ratio = 0.3});
+  SolidSetup low, high;
+  low.name = "low", low.shape = BoxSolid{{0.1, 0.007, 0.1}}, low.position = {0, -0.014, 0};
+  high.name = "high", high.shape = BoxSolid{{0.1, 0.007, 0.1}}, high.position = {0, 0.014, 0};
+  plate.particle_sets = {low, high};
+  DisplacementSetup up;
+  up.displacement = 2e-5;
+  plate.boundary_conditions = {{"grip", FixedSetup{.particle_set = "low"}}, {"pull", PrescribedSetup{.particle_set = "high", .y = up}}};
+  Setup setup;
+  setup.time.end = 1;
+  setup.time.relax = RelaxSetup{.increments = 1, .tolerance = 1e-6};
+  setup.bodies = {plate};
+  const std::uint64_t expected = after(setup, 1).hash;
+  for (const int from : {1, 3}) {
+    fixtures::WholeState state;
+    run_in_process(from, [&](Ranks& its) {
+      Simulation simulation(setup, {}, its);
+      int asked = 0;
+      simulation.step([&](const Relaxed&) { return ++asked < 5; });
+      const fixtures::WholeState all = fixtures::state_of_all_ranks(simulation);
+      if (!its.is_root()) return;
+      CHECK(simulation.clock().step == 0);
+      state = all;
+    });
+    for (const int ranks : {1, 2, 4}) {
+      CAPTURE(from);
+      CAPTURE(ranks);
+      run_in_process(ranks, [&](Ranks& its) {
+        Simulation simulation(setup, {}, its);
+        fixtures::take(simulation, state);
+        fixtures::run(simulation);
+        const std::uint64_t hash = simulation.state_hash();
+        if (its.is_root()) CHECK(hash == expected);
+      });
+    }
+  }
+}
+
 TEST_CASE("ranks: a floating sheet with a dry top and drag, between fixed and absorbing edges, breaks under a falling ball as with one rank") {
   BodySetup sheet = fixtures::body_setup({.size = {3.6, 2.0, 0.4}, .spacing = 0.1, .critical_stretch = 2e-4, .model = fixtures::Model::bond_based});
   BondBasedSetup ice;
