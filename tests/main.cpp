@@ -1,4 +1,5 @@
-#define DOCTEST_CONFIG_IMPLEMENT_WITH_MAIN
+// The main function of every test program.
+#define DOCTEST_CONFIG_IMPLEMENT
 #include <doctest/doctest.h>
 
 #include <algorithm>
@@ -8,6 +9,7 @@
 #include <string>
 #include <utility>
 
+#include "fixtures/larger.hpp"
 #include "fixtures/tolerance.hpp"
 
 namespace {
@@ -36,9 +38,9 @@ class Record {
     here.is_relative = !expected.unit;
     here.unit = expected.unit ? expected.unit : "";
     here.smallest = std::min(here.smallest, magnitude);
-    here.largest = std::max(here.largest, magnitude);
-    here.tolerance = std::max(here.tolerance, expected.unit ? expected.tolerance : expected.tolerance / magnitude);
-    here.deviation = std::max(here.deviation, std::fabs(found - expected.value) / expected.tolerance);
+    here.largest = fixtures::larger(here.largest, magnitude);
+    here.tolerance = fixtures::larger(here.tolerance, expected.unit ? expected.tolerance : expected.tolerance / magnitude);
+    here.deviation = fixtures::larger(here.deviation, std::fabs(found - expected.value) / expected.tolerance);
   }
 
   void write(const char* path) const {
@@ -65,8 +67,36 @@ Record& record() {
   return all;
 }
 
+/// Test cases that the filters of the command line select.
+unsigned selected = 0;
+
+struct CountSelected : doctest::IReporter {
+  explicit CountSelected(const doctest::ContextOptions&) {}
+  void report_query(const doctest::QueryData&) override {}
+  void test_run_start() override {}
+  void test_run_end(const doctest::TestRunStats& stats) override { selected = stats.numTestCasesPassingFilters; }
+  void test_case_start(const doctest::TestCaseData&) override {}
+  void test_case_reenter(const doctest::TestCaseData&) override {}
+  void test_case_end(const doctest::CurrentTestCaseStats&) override {}
+  void test_case_exception(const doctest::TestCaseException&) override {}
+  void subcase_start(const doctest::SubcaseSignature&) override {}
+  void subcase_end() override {}
+  void log_assert(const doctest::AssertData&) override {}
+  void log_message(const doctest::MessageData&) override {}
+  void test_case_skipped(const doctest::TestCaseData&) override {}
+};
+REGISTER_LISTENER("count of selected cases", 1, CountSelected);
+
 }  // namespace
 
 void fixtures::record_comparison(const Expected& expected, double found, bool is_equal) {
   if (path_of_record) record().add(expected, found, is_equal);
+}
+
+int main(int count, char** words) {
+  doctest::Context context(count, words);
+  const int failure = context.run();
+  if (context.shouldExit() || selected > 0) return failure;  // shouldExit(): after a query, such as --list-test-cases
+  std::fputs("No test case has such a title. ctest splits titles at semicolons.\n", stderr);
+  return 1;
 }

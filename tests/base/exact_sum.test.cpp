@@ -13,6 +13,7 @@
 
 #include "base/parallel.hpp"
 #include "base/vec3.hpp"
+#include "fixtures/threads.hpp"
 
 using namespace fccda;
 
@@ -225,9 +226,8 @@ TEST_CASE("exact sums: the members of a struct are summed apart, and the number 
     x.add(vector.x), y.add(vector.y), z.add(vector.z);
   }
   const Vec3d expected{x.value(), y.value(), z.value()};
-  const int before = thread_count();
   for (const int threads : {1, 2, 3}) {
-    use_threads(threads);
+    const fixtures::Threads with_several(threads);
     const Vec3d sum = exact_sum_of_shares<Vec3d>(1000, [&](std::ptrdiff_t share, ExactSums<Vec3d>& sums) {
                         for (std::size_t k = 0; k < 100; ++k) sums.add(vectors[100 * static_cast<std::size_t>(share) + k]);
                       }).value();
@@ -236,5 +236,4 @@ TEST_CASE("exact sums: the members of a struct are summed apart, and the number 
     for (const Vec3d& vector : vectors) numbers.push_back(vector.y);
     CHECK(exact_sum(numbers).value() == expected.y);
   }
-  use_threads(before);
 }

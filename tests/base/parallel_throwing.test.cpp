@@ -5,12 +5,13 @@
 #include <stdexcept>
 #include <vector>
 
+#include "fixtures/threads.hpp"
+
 using namespace fccda;
 
 TEST_CASE("parallel loop: an exception of an iteration is that of the loop, after all others are done, with any number of threads") {
-  const int before = thread_count();
   for (const int threads : {1, 3}) {
-    use_threads(threads);
+    const fixtures::Threads with_several(threads);
     std::vector<int> calls(1000, 0);
     CHECK_THROWS_WITH_AS(parallel_for_throwing(1000,
                                                [&](std::ptrdiff_t i) {
@@ -22,5 +23,4 @@ TEST_CASE("parallel loop: an exception of an iteration is that of the loop, afte
     parallel_for_throwing(1000, [&](std::ptrdiff_t i) { --calls[static_cast<std::size_t>(i)]; });
     CHECK(calls == std::vector<int>(1000, 0));
   }
-  use_threads(before);
 }

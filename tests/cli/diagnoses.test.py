@@ -41,6 +41,15 @@ def _(t):
     t.assertEqual(reported((mass, "density: 7850")), [])
 
 
+@claim("diagnoses: a body of fewer than four layers yields a warning, unless its bending is calibrated")
+def _(t):
+    three = ("[100 mm, 60 mm, 20 mm]", "[100 mm, 60 mm, 15 mm]")
+    printed = warnings(t.expect_success("check", t.deck(three), "--out", "r").out)
+    t.assertEqual(printed, ["Body plate is only 3 particles thick, which makes its stiffness inaccurate, especially in bending. Use a spacing that gives at least 4 "
+                            "layers, preferably 6."])  # fmt: skip
+    t.assertEqual(warnings(t.expect_success("check", t.deck(three, ("spacing: 5 mm", "spacing: 5 mm\n    bending_calibration: z")), "--out", "r").out), [])
+
+
 @claim("diagnoses: an inward-oriented surface is reversed with a warning, in check, run and run.json")
 def _(t):
     deck = t.deck((SURFACE, "surface: {file: cube.obj}"))

@@ -31,6 +31,7 @@ def _(t):
                  "share/man/man1/perimpact.1.gz", "share/doc/perimpact/copyright", "share/doc/perimpact/changelog.gz"):
         t.assertTrue((prefix / path).is_file(), path)
     scripts = [path for path in (prefix / "share/perimpact/cases").rglob("*") if path.suffix in (".py", ".sh")]
+    t.assertGreater(len(scripts), 20)
     t.assertTrue(all(os.access(path, os.X_OK) == os.access(source_of(path, prefix), os.X_OK) for path in scripts))
 
 

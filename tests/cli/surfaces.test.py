@@ -126,7 +126,7 @@ def _(t):
     alone = run(t, "alone", use(t, "file: tool.obj, scale: 0.001", BOX_PLACE))
     t.assertEqual(run(t, "chosen", use(t, "file: both.obj, scale: 0.001, file_parts: [tool]", BOX_PLACE)), alone)
     both = run(t, "both", use(t, 'file: both.obj, scale: 0.001, file_parts: [tool, "side guard"]', BOX_PLACE))
-    t.assertGreater(both["cylinder.contacts [-]"], alone["cylinder.contacts [-]"])
+    t.assertGreater(max(both["cylinder.contacts [-]"]), max(alone["cylinder.contacts [-]"]))
     deck = use(t, "file: both.obj, scale: 0.001, file_parts: [guard]", BOX_PLACE)
     at = place_of((t.folder / deck).read_text(), "surface: {file")
     t.expect_complaint(t.run_program("check", deck), 2, f"deck.yaml:{at}: ", 'the surface has no part "guard"', "its parts are tool, side guard.")

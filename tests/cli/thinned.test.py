@@ -129,7 +129,7 @@ def _(t):
     deck = t.deck(("shape: {box: {size: [100 mm, 60 mm, 20 mm]}}", "shape: {points: {file: cloud.csv}}"), ("    spacing: 5 mm\n", ""))
     t.expect_success("run", deck, "--out", "whole", "--no-report")
     t.expect_success("run", deck, "--out", "r", "--no-report", *output(frame_particles="{stride: 2}"))
-    for part, full in zip(frames(t, "r"), frames(t, "whole")):
+    for part, full in zip(frames(t, "r"), frames(t, "whole"), strict=True):
         expect_part(t, part, full, np.arange(960) % 8 == 0, ["displacement", "velocity", "damage", "original"])
 
 
@@ -169,7 +169,7 @@ def _(t):
         t.assertEqual(report.notes, [f"The frames of plate are thinned by output.frame_particles: up to {len(known)} of its 960 particles were written, each in the "
                                      "frames in which it meets the selection."])  # fmt: skip
         step = {array["name"]: array["step"] for array in body["arrays"]}
-        for found, picture in zip(shown, frames(t, "whole")):
+        for found, picture in zip(shown, frames(t, "whole"), strict=True):
             rows = [known[int(number)] for number in picture.point["particle"]]
             t.assertEqual(sorted(k for k, is_written in enumerate(found["is_written"]) if is_written), sorted(rows))
             for row, index in enumerate(rows):
@@ -194,7 +194,7 @@ def _(t):
                                  "The frames of plate have no field damage (output.frame_fields), so its damage is not shown."])  # fmt: skip
     step = {array["name"]: array["step"] for array in body["arrays"]}
     rounding = 2 * 0.05 * 2**-23  # [m] two positions of up to 50 mm in single precision
-    for found, picture in zip(shown, frames(t, "whole")):
+    for found, picture in zip(shown, frames(t, "whole"), strict=True):
         for axis in range(3):
             name = f"displacement_{'xyz'[axis]}"
             t.assertLessEqual(np.abs(np.array(found[name]) - picture.point["displacement"][:, axis]).max(), step[name] + rounding)

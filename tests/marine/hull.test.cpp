@@ -9,6 +9,7 @@
 #include <string>
 
 #include "base/error.hpp"
+#include "fixtures/larger.hpp"
 #include "fixtures/surfaces.hpp"
 #include "fixtures/tolerance.hpp"
 #include "mesh/inspect/self_intersections.hpp"
@@ -115,7 +116,7 @@ TEST_CASE("hull: the normals of all bow panels have n_x/n_z = tan φ, those of t
       double worst = 0;
       for (const PartTriangle& t : part(hull, name)) {
         const Vec3d n = normal(t);
-        worst = std::fmax(worst, std::fabs(n.x * std::cos(angle) - n.z * std::sin(angle)));  // without division by a small number
+        worst = fixtures::larger(worst, std::fabs(n.x * std::cos(angle) - n.z * std::sin(angle)));  // without division by a small number
       }
       CHECK(worst < 1e-12);  // coordinates of 200 m are rounded to 3e-14 m, on edges of half a metre and more
     }
@@ -219,7 +220,7 @@ TEST_CASE("hull: edges have the requested sizes, in the bow and elsewhere, and g
     const double bow = shape.bow_edge_length > 0 ? shape.bow_edge_length : shape.edge_length;
     const auto ratio = [](const PartTriangle& t, double size) { return std::fmax(norm(t.a - t.b), std::fmax(norm(t.b - t.c), norm(t.c - t.a))) / size; };
     for (const char* name : {"bow", "side", "stern", "bilge", "bottom", "deck"})
-      for (const PartTriangle& t : part(hull, name)) longest = std::fmax(longest, ratio(t, name == std::string("bow") ? bow : shape.edge_length));
+      for (const PartTriangle& t : part(hull, name)) longest = fixtures::larger(longest, ratio(t, name == std::string("bow") ? bow : shape.edge_length));
   });
   CHECK(longest > 1);     // diagonals; 1.40 among these hulls
   CHECK(longest <= 1.5);  // as stated in the header

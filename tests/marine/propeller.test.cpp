@@ -8,6 +8,7 @@
 #include <string>
 
 #include "base/error.hpp"
+#include "fixtures/larger.hpp"
 #include "fixtures/surfaces.hpp"
 #include "fixtures/tolerance.hpp"
 #include "marine/wageningen.hpp"
@@ -170,7 +171,7 @@ TEST_CASE("propeller: the panels have the chord and thickness of the table at 0.
   for (int k = 0; k <= 1000; ++k) {
     const Vec3d face = form.place(section, -1 + 0.002 * k, 0), back = form.place(section, -1 + 0.002 * k, 1);
     const double turn = 1.442 * (std::atan2(back.y, back.x) - std::atan2(face.y, face.x));
-    thickest = std::fmax(thickest, std::hypot(turn, back.z - face.z));
+    thickest = fixtures::larger(thickest, std::hypot(turn, back.z - face.z));
   }
   CHECK(thickest == fixtures::relative(4.12 * (0.0216 - 4 * 0.0015), 1e-5));  // a thousand samples miss the greatest by 1e-6 of the bulge
 }
@@ -231,8 +232,8 @@ TEST_CASE("propeller: no edge is longer than requested at its middle, and edges 
       for (const auto& [p, q] : {std::pair{a, b}, std::pair{b, c}, std::pair{c, a}}) {
         const double rp = std::hypot(p.x, p.y), rq = std::hypot(q.x, q.y), length = norm(p - q);
         if (std::fmax(rp, rq) < form.root_radius() * (1 + 1e-9)) continue;  // of the root, inside the hub
-        longest = std::fmax(longest, length);
-        if (std::fmin(rp, rq) > form.tip_radius() - 0.5 * shape.blade_edge_length) longest_at_tip = std::fmax(longest_at_tip, length);
+        longest = fixtures::larger(longest, length);
+        if (std::fmin(rp, rq) > form.tip_radius() - 0.5 * shape.blade_edge_length) longest_at_tip = fixtures::larger(longest_at_tip, length);
       }
     });
     CAPTURE(made);

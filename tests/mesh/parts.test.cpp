@@ -11,7 +11,7 @@
 
 using namespace fccda;
 
-TEST_CASE("parts: names apply to the panels added after them; repeated names are one part, empty parts are dropped") {
+TEST_CASE("parts: names apply to the panels added after them, repeated names are one part, empty parts are dropped") {
   Panels panels;
   PartNaming parts(panels);
   panels.add_triangle(0, 1, 2);
@@ -85,7 +85,7 @@ TEST_CASE("parts: lists of the wrong length are rejected") {
   CHECK_THROWS_WITH_AS(Surface{panels}, "surface: panel 5 belongs to part 1, but there are names of 1 parts only; correct the part numbers.", InputError);
 }
 
-TEST_CASE("parts: components with intersecting boxes may overlap; cavities and separate neighbours do not") {
+TEST_CASE("parts: components with intersecting boxes may overlap, cavities and separate neighbours do not") {
   const auto cube = [](double size, const Vec3d& low) { return fixtures::moved(fixtures::unit_cube(), [=](const Vec3d& p) { return size * p + low; }); };
   CHECK(Surface(fixtures::unit_cube()).report().may_overlap == 0);
   CHECK(Surface(fixtures::joined(cube(1, {}), cube(1, {1.5, 0, 0}))).report().may_overlap == 0);

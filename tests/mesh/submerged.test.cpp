@@ -8,6 +8,7 @@
 
 #include "base/parallel.hpp"
 #include "fixtures/surfaces.hpp"
+#include "fixtures/threads.hpp"
 #include "fixtures/tolerance.hpp"
 #include "marine/hull.hpp"
 #include "mesh/shapes/box.hpp"
@@ -121,13 +122,11 @@ TEST_CASE("submerged: nothing above the plane, the report's volume below it, and
   CHECK(submerged(ball, {.height = -1.01}).volume == 0);
   CHECK(submerged(ball, {.height = 1.01}).volume == ball.report().volume);
   CHECK(submerged(ball, {.height = 1.01}).centre == ball.report().centroid);
-  const int threads = thread_count();
-  use_threads(1);
+  const fixtures::Threads with_one(1);
   const SubmergedVolume one = submerged(ball, {.height = 0.123});
   for (const int count : {2, 3, 5}) {
-    use_threads(count);
+    const fixtures::Threads with_several(count);
     const SubmergedVolume same = submerged(ball, {.height = 0.123});
     CHECK((same.volume == one.volume && same.centre == one.centre && same.waterplane == one.waterplane));
   }
-  use_threads(threads);
 }

@@ -8,6 +8,7 @@
 #include "base/error.hpp"
 #include "base/parallel.hpp"
 #include "fixtures/surfaces.hpp"
+#include "fixtures/threads.hpp"
 #include "fixtures/tolerance.hpp"
 #include "mesh/shapes/sphere.hpp"
 
@@ -181,12 +182,10 @@ TEST_CASE("surface: bodies whose tips meet in one vertex have that vertex twice"
 
 TEST_CASE("surface: construction is bitwise reproducible for any number of threads") {
   const Panels panels = fixtures::exploded(make_sphere({.diameter = 1, .edge_length = 0.02}));
-  const int before = thread_count();
-  use_threads(1);
+  const fixtures::Threads with_one(1);
   const Surface alone = named(panels);
-  use_threads(4);
+  const fixtures::Threads with_four(4);
   const Surface together = named(panels);
-  use_threads(before);
   CHECK(alone.report().volume == together.report().volume);
   CHECK(std::equal(alone.vertices().begin(), alone.vertices().end(), together.vertices().begin()));
 }

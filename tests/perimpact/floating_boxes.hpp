@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "fixtures/larger.hpp"
 #include "perimpact/bodies.hpp"
 #include "perimpact/simulations.hpp"
 
@@ -57,8 +58,8 @@ inline WaterBalance run_in_water(Simulation& simulation) {
     if (!simulation.monitors().is_due(simulation.clock())) continue;
     sum.impulse += value(simulation, "ice.sea.force_z [N]") * (value(simulation, "time [s]") - row);
     const double work = value(simulation, "ice.sea.work [J]");
-    sum.largest_work = std::max(sum.largest_work, std::fabs(work));
-    sum.largest_gap = std::max(sum.largest_gap, std::fabs(value(simulation, "total.energy [J]") - before - work));
+    sum.largest_work = fixtures::larger(sum.largest_work, std::fabs(work));
+    sum.largest_gap = fixtures::larger(sum.largest_gap, std::fabs(value(simulation, "total.energy [J]") - before - work));
   }
   return sum;
 }

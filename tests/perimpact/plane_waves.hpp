@@ -5,6 +5,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "fixtures/larger.hpp"
 #include "perimpact/body/body.hpp"
 #include "perimpact/materials/correspondence/small_matrix.hpp"
 
@@ -36,7 +37,7 @@ inline double plane_wave_limit(const Body& body) {
         }
         for (std::size_t r = 0; r < 3; ++r)
           for (std::size_t s = 0; s < 3; ++s) m.m[r][s] += 2 * law.a() * t[r] * t[s];
-        for (const double value : eigen_of(m).value) stiffest = std::max(stiffest, value);
+        for (const double value : eigen_of(m).value) stiffest = fixtures::larger(stiffest, value);
       }
   return 2 * std::sqrt(body.particles.density() / stiffest);
 }

@@ -14,6 +14,7 @@
 #include <vector>
 
 #include "base/parallel.hpp"
+#include "fixtures/threads.hpp"
 #include "perimpact/ranks/in_process.hpp"
 #include "perimpact/simulation/simulation.hpp"
 
@@ -31,8 +32,7 @@ struct Trace {
 /// Runs the setup to its end, with ranks that are threads of this process and `threads` threads each.
 inline Trace trace(const Setup& setup, int ranks, int threads = 1) {
   Trace of_root;
-  const int before = fccda::thread_count();
-  fccda::use_threads(threads);
+  const fixtures::Threads with_several(threads);
   run_in_process(ranks, [&](Ranks& its) {
     Trace trace;
     Simulation simulation(setup, {}, its);
@@ -45,7 +45,6 @@ inline Trace trace(const Setup& setup, int ranks, int threads = 1) {
     for (const Body& body : simulation.bodies()) trace.broken_bonds += static_cast<std::int64_t>(body.internal.broken_bonds());
     if (its.is_root()) of_root = trace;
   });
-  fccda::use_threads(before);
   return of_root;
 }
 

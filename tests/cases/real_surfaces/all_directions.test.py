@@ -1,5 +1,6 @@
 """Every surface with panels, whatever it was made for, strikes from several directions."""
 
+import re
 import sys
 from pathlib import Path
 
@@ -22,7 +23,8 @@ def files(t, closed):
         plain = surface_file.read(path)
         if plain is None or plain.panels == 0:
             continue
-        if ("closure           closed" in t.expect_success("mesh", path).out) == closed:
+        closure = re.search(r"^  closure +(closed|open)", t.expect_success("mesh", path).out, re.MULTILINE)
+        if (closure[1] == "closed") == closed:
             points = plain.corners.reshape(-1, 3)
             yield path, plain.corners, float((points.max(axis=0) - points.min(axis=0)).max() / 80)
 

@@ -37,7 +37,7 @@ def _(t):
         rows = dict(re.findall(r"^  ([a-z]+) {2,}(.*)$", done.out, re.MULTILINE))
         t.assertEqual(int(rows["panels"].split()[0]), plain.panels, path)
         points = plain.corners.reshape(-1, 3)
-        for shown, extent in zip(rows["size"].removesuffix(" m").split(" x "), points.max(axis=0) - points.min(axis=0)):
+        for shown, extent in zip(rows["size"].removesuffix(" m").split(" x "), points.max(axis=0) - points.min(axis=0), strict=True):
             t.assertAlmostEqual(float(shown), extent, delta=5.001e-4 * extent, msg=path)  # four digits are shown
 
 

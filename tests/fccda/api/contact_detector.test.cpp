@@ -8,6 +8,7 @@
 #include "base/parallel.hpp"
 #include "fccda/api/respond_arrays.hpp"
 #include "fccda/detect/scene.hpp"
+#include "fixtures/threads.hpp"
 #include "fixtures/tolerance.hpp"
 
 using namespace fccda;
@@ -64,10 +65,9 @@ struct Scene {
 }  // namespace
 
 TEST_CASE("plain call: contacts are bitwise identical to those with every point evaluated, with a rotating hull, for any number of threads") {
-  const int threads = thread_count();
   std::size_t contacts_found = 0;
   for (const int count : {1, 3}) {
-    use_threads(count);
+    const fixtures::Threads with_several(count);
     Scene scene(1000);
     ContactDetector detector(*scene.surface, {.radius = ball});
     for (int step = 0; step < 150; ++step) {
@@ -82,7 +82,6 @@ TEST_CASE("plain call: contacts are bitwise identical to those with every point 
     }
     CHECK(detector.swept().effort().points_tested < 1000 * 150 / 4);  // and most points were skipped
   }
-  use_threads(threads);
   CHECK(contacts_found > 1000);
 }
 
@@ -255,9 +254,8 @@ std::vector<double> radii_of(std::size_t points) {
 }  // namespace
 
 TEST_CASE("plain call: points of different radii have the same contacts as the points of each radius alone, with a rotating hull, for any number of threads") {
-  const int threads = thread_count();
   for (const int count : {1, 3}) {
-    use_threads(count);
+    const fixtures::Threads with_several(count);
     Scene scene(1000);
     const SharedSurface surface = share(scene.surface);
     ContactDetector detector(surface);
@@ -282,10 +280,9 @@ TEST_CASE("plain call: points of different radii have the same contacts as the p
     CHECK(detector.swept().effort().points_tested < 1000 * 100 / 4);
     CHECK(detector.points_inside(scene.hull.pose(), scene.x_t1, radii).empty());
   }
-  use_threads(threads);
 }
 
-TEST_CASE("plain call: a resting point of growing radius is relocated to its new radius; at the front of an open surface too") {
+TEST_CASE("plain call: a resting point of growing radius is relocated to its new radius, at the front of an open surface too") {
   Panels floor;
   floor.vertices = {{-5, -5, 0}, {5, -5, 0}, {5, 5, 0}, {-5, 5, 0}};
   floor.add_quad(0, 1, 2, 3);

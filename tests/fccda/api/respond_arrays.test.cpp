@@ -63,7 +63,7 @@ TEST_CASE("plain response: masses with a stride and arrays of floats give the sa
   CHECK(sum.impulse == Vec3d{0, 0, -6});
 }
 
-TEST_CASE("plain response: without the body it returns the body's impulse; the sum over several sets of points, applied once, equals that of one call") {
+TEST_CASE("plain response: without the body it returns the body's impulse, and the sum over several sets of points, applied once, equals that of one call") {
   const std::vector<Contact> contacts{{.point = 0, .normal = {0, 0, 1}, .relocation = {1, 0, 1}}, {.point = 1, .normal = {0, 0, 1}, .relocation = {0, 1, 1}}};
   const std::vector<Vec3d> x_t0{{1, 0, 2}, {0, 1, 2}}, velocity{{0, 0, -4}, {0, 0, -6}};
   const auto body = [] { return RigidBody({.mass = 4, .inertia = Mat3::identity()}, Pose(), {}, {}, {{true, true, true, true, true, true}}); };

@@ -25,7 +25,7 @@ TEST_CASE("bounds panels: the panels of boxes enclose them, facing outward") {
   CHECK(volume_of(panels) == fixtures::relative(2 * 3 * 4 + 0.5 * 0.25 * 0.125, 1e-12));
 }
 
-TEST_CASE("bounds panels: the panels of all contact bounds are closed, face outward and enclose their volume; unbounded has none") {
+TEST_CASE("bounds panels: the panels of all contact bounds are closed, face outward and enclose their volume, and unbounded has none") {
   for (const fixtures::ToBound& body : fixtures::surfaces_to_bound()) {
     for (const fixtures::NamedRegion& region : fixtures::every_region(body.surface)) {
       CAPTURE(body.name);

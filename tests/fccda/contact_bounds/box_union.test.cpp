@@ -38,7 +38,7 @@ TEST_CASE("box union: far paths are rejected, and the distance is that from the 
   CHECK(ends.contains({3, 0, 1}));
 }
 
-TEST_CASE("box union: a surface that fits exactly is not clipped; one that extends beyond is an error with the panel numbers, unless clipping is requested") {
+TEST_CASE("box union: a surface that fits exactly is not clipped, one that extends beyond is an error with the panel numbers, unless clipping is requested") {
   const Surface cube(fixtures::unit_cube());
   CHECK_FALSE(BoxUnion({.size = {1, 1, 1}, .centre = {0.5, 0.5, 0.5}}, cube, Beyond::clip).clips());
   const BoxUnion::Shape thin{.size = {1, 1, 0.9}, .centre = {0.5, 0.5, 0.5}};

@@ -8,6 +8,8 @@
 
 #include "base/error.hpp"
 #include "fccda/deforming/scenes.hpp"
+#include "fixtures/larger.hpp"
+#include "fixtures/threads.hpp"
 #include "fixtures/tolerance.hpp"
 
 using namespace deforming;
@@ -51,7 +53,7 @@ TEST_CASE("deforming: of points on random paths exactly those are in contact tha
         contacts += expected, missed += expected && !is_found, invented += !expected && is_found;
         if (!expected || !is_found) continue;
         const Contact& contact = found[i].contact;
-        worst = std::max(worst, std::fabs(contact.time_fraction - crossing[i].time));
+        worst = fixtures::larger(worst, std::fabs(contact.time_fraction - crossing[i].time));
         behind += at_t1.inside(contact.relocation + 1e-7 * contact.normal);
         CHECK(at_t1.distance(contact.relocation) < 0.2);
       }
@@ -257,8 +259,7 @@ TEST_CASE("deforming: in many steps no point gets inside a body that bends and t
 
 TEST_CASE("deforming: skipped points and the number of threads change no contact") {
   const auto all_contacts = [](bool forgets, int threads) {
-    const int before = thread_count();
-    use_threads(threads);
+    const fixtures::Threads with_several(threads);
     Swarm swarm(0.03, 0.02);
     Deforming detector(swarm.surface, 0.03);
     std::vector<DeformingContact> all;
@@ -269,7 +270,6 @@ TEST_CASE("deforming: skipped points and the number of threads change no contact
       swarm.relocate(found);
       all.insert(all.end(), found.begin(), found.end());
     }
-    use_threads(before);
     return std::pair(all, detector.effort().points_tested);
   };
   const auto [cached, few] = all_contacts(false, 1);

@@ -11,6 +11,7 @@
 #include "base/error.hpp"
 #include "fccda/deforming/scenes.hpp"
 #include "fccda/deforming/step_warnings.hpp"
+#include "fixtures/larger.hpp"
 #include "fixtures/tolerance.hpp"
 #include "mesh/shapes/box.hpp"
 
@@ -196,8 +197,8 @@ TEST_CASE("deforming surface: the motion of all vertices is bounded, about its m
   double travel = 0, spread = 0;
   for (const Vec3d& x : panels.vertices) {
     const Vec3d displacement = deformations()[4].at(x, 0.2) - deformations()[4].at(x, 0.1);
-    travel = std::max(travel, norm(displacement));
-    spread = std::max(spread, norm(displacement - surface.mean_displacement()));
+    travel = fixtures::larger(travel, norm(displacement));
+    spread = fixtures::larger(spread, norm(displacement - surface.mean_displacement()));
   }
   CHECK(surface.travel() == fixtures::relative(travel, 1e-12));
   CHECK(surface.spread() == fixtures::relative(spread, 1e-12));

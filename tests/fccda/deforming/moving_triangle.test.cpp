@@ -9,6 +9,7 @@
 
 #include "fccda/deforming/exact_crossing.hpp"
 #include "fccda/detect/scene.hpp"
+#include "fixtures/larger.hpp"
 #include "fixtures/tolerance.hpp"
 
 using namespace fccda;
@@ -108,7 +109,7 @@ TEST_CASE("moving triangle: of random motions no crossing is missed, none is inv
     crossings += answer.crosses;
     missed += answer.crosses && !found;
     invented += !answer.crosses && found;
-    if (answer.crosses && found) worst = std::max(worst, std::fabs(*found - answer.time));
+    if (answer.crosses && found) worst = fixtures::larger(worst, std::fabs(*found - answer.time));
   }
   CHECK(crossings > 1000);
   CHECK(missed == 0);
@@ -190,7 +191,7 @@ TEST_CASE("moving triangle: a ball makes contact when its distance, by subdivisi
     missed += surely && !found;
     invented += !possibly && found;
     if (!found || !possibly) continue;
-    worst = std::max(worst, std::fabs(clearance.distance(*found) - radius));
+    worst = fixtures::larger(worst, std::fabs(clearance.distance(*found) - radius));
     CHECK(*found >= *possibly - 1e-9);
     if (surely) CHECK(*found <= *surely + 1e-9);
   }

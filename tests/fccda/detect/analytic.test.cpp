@@ -4,6 +4,7 @@
 
 #include "fccda/detect/scene.hpp"
 #include "fccda/detect/swept.hpp"
+#include "fixtures/larger.hpp"
 #include "fixtures/tolerance.hpp"
 
 using namespace fccda;
@@ -82,7 +83,7 @@ TEST_CASE("analytic: the mesh of a sphere converges to it with the square of the
     double most = 0;
     for (const Contact& p : a)
       for (const Contact& q : b)
-        if (p.point == q.point && q.depth > 1e-3) most = std::max(most, std::fabs(norm(p.relocation) - norm(q.relocation)));
+        if (p.point == q.point && q.depth > 1e-3) most = fixtures::larger(most, std::fabs(norm(p.relocation) - norm(q.relocation)));
     return most;
   };
   const double coarse = error(0.1), fine = error(0.05);

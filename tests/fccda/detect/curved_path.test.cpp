@@ -4,6 +4,7 @@
 
 #include "fccda/detect/scene.hpp"
 #include "fccda/rigid_body/rigid_body.hpp"
+#include "fixtures/larger.hpp"
 
 using namespace fccda;
 
@@ -51,8 +52,8 @@ TEST_CASE("curved path: no point of the true path is farther from the polyline t
         for (const double s : {0.25, 0.5, 0.75}) {
           const double fraction = (k + s) / path.parts();
           const Vec3d there = pose_at(motion, fraction).to_body(x_t0 + fraction * (x_t1 - x_t0));
-          off_polyline = std::max(off_polyline, distance(there, part));
-          off_chord = std::max(off_chord, distance(there, path.chord()));
+          off_polyline = fixtures::larger(off_polyline, distance(there, part));
+          off_chord = fixtures::larger(off_chord, distance(there, path.chord()));
         }
       }
       CHECK(off_polyline < BodyView::straight_enough);

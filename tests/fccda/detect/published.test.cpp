@@ -70,7 +70,7 @@ TEST_CASE("published: the literal variant misses half of the crossings of other 
   CHECK(hull.share == fixtures::absolute(0.45, 0.06, "1"));
 }
 
-TEST_CASE("published: the corrected variant finds nearly all; the missed ones lie at edges and corners") {
+TEST_CASE("published: the corrected variant finds nearly all, and the missed ones lie at edges and corners") {
   for (const Panels& panels : {fixtures::cylinder(), lying(fixtures::cylinder()), fixtures::box(), fixtures::sphere(), fixtures::hull(), fixtures::blade()}) {
     const Found found = share(panels, PublishedVariant::corrected);
     CHECK(found.share > 0.95);

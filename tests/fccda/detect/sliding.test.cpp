@@ -6,6 +6,7 @@
 #include "fccda/detect/half_spaces.hpp"
 #include "fccda/detect/scene.hpp"
 #include "fccda/evidence/truth.hpp"
+#include "fixtures/larger.hpp"
 #include "fixtures/tolerance.hpp"
 
 using namespace fccda;
@@ -62,7 +63,7 @@ TEST_CASE("sliding: friction moves no point through the other panel of a valley,
     }
     CHECK(behind == 0);
     double fastest = 0;
-    for (const Vec3d& v : fall.v) fastest = std::max(fastest, norm(v));
+    for (const Vec3d& v : fall.v) fastest = fixtures::larger(fastest, norm(v));
     if (friction >= 0.2) CHECK(fastest < 1e-9);  // friction and the corner have removed all of some metres per second
   }
 }

@@ -7,6 +7,7 @@
 
 #include "fccda/detect/scene.hpp"
 #include "fccda/rigid_body/rigid_body.hpp"
+#include "fixtures/threads.hpp"
 #include "fixtures/tolerance.hpp"
 
 using namespace fccda;
@@ -226,10 +227,9 @@ bool same_bits(const std::vector<Contact>& a, const std::vector<Contact>& b) {
 TEST_CASE("swept: results are bitwise identical when all distances are forgotten at any step, and for any number of threads") {
   const auto surface = fixtures::surface_of(fixtures::hull());
   const double radius = surface->radius_about({});
-  const int threads = thread_count();
   for (const double r : {0.0, 0.01}) {
     Swept remembering(surface, Unbounded{}, r);
-    use_threads(1);
+    const fixtures::Threads with_one(1);
     const std::vector<Contact> contacts = debris_run(remembering, radius, 60, 0);
     CHECK(contacts.size() > 50);
     for (const int forget_every : {1, 7}) {
@@ -238,12 +238,11 @@ TEST_CASE("swept: results are bitwise identical when all distances are forgotten
       CHECK(forgetful.effort().points_tested > remembering.effort().points_tested);
     }
     for (const int count : {2, 4}) {
-      use_threads(count);
+      const fixtures::Threads with_several(count);
       Swept parallel(surface, Unbounded{}, r);
       CHECK(same_bits(contacts, debris_run(parallel, radius, 60, 0)));
     }
   }
-  use_threads(threads);
 }
 
 TEST_CASE("swept: far points are not evaluated at all, step after step") {

@@ -286,7 +286,7 @@ TEST_CASE("swept, open: no step round the boundary, sliding or falling causes a 
   CHECK(detector.entered_inside() > 0);
 }
 
-TEST_CASE("swept: the points that start inside agree with winding number and distance; contact is not inside") {
+TEST_CASE("swept: the points that start inside agree with winding number and distance, and contact is not inside") {
   for (const fixtures::Body& body : fixtures::bodies()) {
     CAPTURE(body.name);
     const auto surface = fixtures::surface_of(body.panels);

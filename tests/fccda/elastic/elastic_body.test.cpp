@@ -7,6 +7,7 @@
 #include <random>
 
 #include "fccda/elastic/impacts.hpp"
+#include "fixtures/larger.hpp"
 #include "fixtures/tolerance.hpp"
 
 using namespace deforming;
@@ -104,9 +105,9 @@ Shower shower(double friction, double dt) {
   found.first = found.last = energy();
   for (double t = 0; t < 0.04; t += dt) {
     impacts.step(dt);
-    found.gained = std::max(found.gained, energy() - found.last);
+    found.gained = fixtures::larger(found.gained, energy() - found.last);
     found.last = energy();
-    found.loosest = std::max(found.loosest, norm(momentum() - before));
+    found.loosest = fixtures::larger(found.loosest, norm(momentum() - before));
   }
   found.angular = norm(angular() - angular_before);
   found.speed = impacts.momentum().z / 4;

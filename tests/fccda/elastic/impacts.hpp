@@ -7,6 +7,7 @@
 
 #include "fccda/deforming/scenes.hpp"
 #include "fccda/elastic/structure_coupling.hpp"
+#include "fixtures/larger.hpp"
 
 namespace deforming {
 
@@ -49,7 +50,7 @@ struct Impacts {
         coupling.add(contact, points.mass(i), after, friction);
         impulse += after.on_surface;
       }
-      most_passes = std::max(most_passes, pass);
+      most_passes = fixtures::larger(most_passes, pass);
       if (pass == StructureCoupling::max_passes || coupling.agrees()) break;
       for (const DeformingContact& contact : contacts) {
         const std::size_t i = contact.contact.point;

@@ -3,6 +3,7 @@
 
 #include "fccda/evidence/swarm.hpp"
 
+#include "fixtures/larger.hpp"
 #include "fixtures/tolerance.hpp"
 
 using namespace evidence;
@@ -21,7 +22,7 @@ TEST_CASE("evidence: points and free body conserve linear momentum to a relative
     double lost = 0;
     for (int step = 0; step < 3000; ++step) {
       contacts += swarm.step().contacts;
-      lost = std::max(lost, norm(swarm.momentum() - before));
+      lost = fixtures::larger(lost, norm(swarm.momentum() - before));
     }
     CHECK(contacts > 100'000);
     CHECK(lost < 1e-12 * norm(before));  // 6e-15 was measured: additions round at random

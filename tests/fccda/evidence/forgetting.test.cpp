@@ -4,6 +4,7 @@
 #include <bit>
 
 #include "fccda/evidence/swarm.hpp"
+#include "fixtures/threads.hpp"
 
 using namespace evidence;
 
@@ -19,7 +20,7 @@ struct Run {
 
 /// `forgets`: how often in a hundred steps all is forgotten, at random.
 Run run(const std::shared_ptr<const Surface>& surface, double radius, double friction, unsigned forgets, int threads) {
-  use_threads(threads);
+  const fixtures::Threads with_several(threads);
   Swarm swarm(surface, {.count = 500, .radius = radius, .friction = friction});
   std::mt19937_64 random(81);
   Run result;
@@ -41,7 +42,6 @@ Run run(const std::shared_ptr<const Surface>& surface, double radius, double fri
 }  // namespace
 
 TEST_CASE("evidence: 600 steps of contact and response are bitwise identical when distances are forgotten at random steps, and for any number of threads") {
-  const int threads = thread_count();
   const auto surface = fixtures::surface_of(fixtures::hull());
   for (const double radius : {0.0, 0.01}) {
     for (const double friction : {0.0, 0.3}) {
@@ -55,5 +55,4 @@ TEST_CASE("evidence: 600 steps of contact and response are bitwise identical whe
       }
     }
   }
-  use_threads(threads);
 }

@@ -5,6 +5,7 @@
 #include "fccda/detect/analytic.hpp"
 #include "fccda/evidence/score.hpp"
 #include "fccda/evidence/shapes.hpp"
+#include "fixtures/larger.hpp"
 #include "fixtures/tolerance.hpp"
 
 using namespace evidence;
@@ -32,7 +33,7 @@ double difference(const Outcome& a, const Outcome& b) {
   double most = 0;
   for (std::size_t i = 0; i < a.size(); ++i) {
     if (a[i].has_value() != b[i].has_value()) return std::numeric_limits<double>::infinity();
-    if (a[i]) most = std::max(most, norm(*a[i] - *b[i]));
+    if (a[i]) most = fixtures::larger(most, norm(*a[i] - *b[i]));
   }
   return most;
 }

@@ -6,6 +6,7 @@
 #include "fccda/evidence/shapes.hpp"
 #include "fccda/evidence/truth.hpp"
 #include "fccda/rigid_body/rigid_body.hpp"
+#include "fixtures/larger.hpp"
 
 using namespace evidence;
 
@@ -46,9 +47,9 @@ Push push(const Panels& panels, double radius, int steps) {
     if (!contacts.empty()) {
       ++result.contacts;
       visited[static_cast<std::size_t>(contacts[0].panel)] = true;
-      result.lowest = std::min(result.lowest, height), result.highest = std::max(result.highest, height);
+      result.lowest = std::min(result.lowest, height), result.highest = fixtures::larger(result.highest, height);
     } else if (result.contacts > 0) {
-      result.gap = std::max(result.gap, height);
+      result.gap = fixtures::larger(result.gap, height);
     }
   }
   result.panels = static_cast<std::size_t>(std::count(visited.begin(), visited.end(), true));

@@ -6,6 +6,7 @@
 
 #include "base/parallel.hpp"
 #include "fccda/evidence/truth.hpp"
+#include "fixtures/larger.hpp"
 
 namespace evidence {
 
@@ -54,7 +55,7 @@ struct SizeRequest {
 inline double depth(const Truth& truth, const Path& path) {
   double most = 0;
   for (int k = 1; k < 16; ++k)
-    if (const Vec3d place = path.at(k / 16.0); truth.inside(place)) most = std::max(most, truth.distance(place));
+    if (const Vec3d place = path.at(k / 16.0); truth.inside(place)) most = fixtures::larger(most, truth.distance(place));
   return most;
 }
 

@@ -6,6 +6,7 @@
 
 #include "fccda/detect/all_detectors.hpp"
 #include "fccda/detect/scene.hpp"
+#include "fixtures/threads.hpp"
 
 using namespace fccda;
 using fixtures::detect;
@@ -89,7 +90,7 @@ TEST_CASE("respond: the drift of angular momentum decreases with the step") {
   CHECK(coarse / fine > 3);  // first order would be 4; which points touch, and when, differs between steps. 7.2 was measured
 }
 
-TEST_CASE("respond: a frictionless sphere gets no torque; friction gives it one") {
+TEST_CASE("respond: a frictionless sphere gets no torque, friction gives it one") {
   for (const double friction : {0.0, 0.3}) {
     Analytic detector(Sphere{.radius = 0.5}, Unbounded{}, 0.01);
     RigidBody body({.mass = 100, .centre_of_mass = {}, .inertia = Mat3::diagonal({10, 10, 10})}, Pose(), {}, {}, all_free);
@@ -153,7 +154,7 @@ TEST_CASE("respond: a point that slides round a body without friction keeps its 
   }
 }
 
-TEST_CASE("respond: one point stops at the wall; its impulse is m v and friction reduces its sliding by at most µ times that") {
+TEST_CASE("respond: one point stops at the wall, its impulse is m v and friction reduces its sliding by at most µ times that") {
   const auto wall = fixtures::surface_of(fixtures::box());  // face x = 0.5
   const double dt = 1e-3, slip = 3;
   for (const double friction : {0.0, 0.2, 10.0}) {
@@ -208,6 +209,7 @@ TEST_CASE("respond: contacts that threads resolve together have the states and i
   const std::vector<Contact> contacts = detect(detector, together, motion, body.travel_bound(motion, radius));
   REQUIRE(contacts.size() > 10 * contacts_worth_threads);
   std::vector<Vec3d> impulses, expected;
+  const fixtures::Threads with_four(4);
   resolve_points(together, contacts, motion, {}, friction, [&](const Contact&, const Vec3d& impulse) { impulses.push_back(impulse); });
   for (std::size_t k = 0; k < contacts.size(); ++k)
     resolve_points(alone, std::span(contacts).subspan(k, 1), motion, {}, friction, [&](const Contact&, const Vec3d& impulse) { expected.push_back(impulse); });

@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "base/error.hpp"
+#include "fixtures/larger.hpp"
 #include "fixtures/tolerance.hpp"
 
 using namespace fccda;
@@ -64,8 +65,8 @@ TEST_CASE("rigid body: over a thousand revolutions energy is conserved to 1e-6 a
     for (int step = 0; step < 315'000; ++step) {
       body.advance(dt);
       if (step % 16 != 0) continue;
-      worst = std::max(worst, std::fabs(body.kinetic_energy() / energy - 1));
-      furthest = std::max(furthest, norm(body.angular_momentum({}) - angular) / norm(angular));
+      worst = fixtures::larger(worst, std::fabs(body.kinetic_energy() / energy - 1));
+      furthest = fixtures::larger(furthest, norm(body.angular_momentum({}) - angular) / norm(angular));
     }
     CHECK(worst < 1e-6);
     CHECK(furthest < 1e-12);
@@ -193,7 +194,7 @@ TEST_CASE("rigid body: no point of it moves farther in a step than its travel bo
     double furthest = 0;
     for (int trial = 0; trial < 1000; ++trial) {
       const Vec3d point = centre + radius * normalised(Vec3d{any(random), any(random), any(random)});
-      furthest = std::max(furthest, norm(motion.t1.to_world(point) - motion.t0.to_world(point)));
+      furthest = fixtures::larger(furthest, norm(motion.t1.to_world(point) - motion.t0.to_world(point)));
     }
     CHECK(furthest <= bound);
     CHECK(furthest > 0.5 * bound);  // a bound, not an estimate: translation and rotation add up in one direction only

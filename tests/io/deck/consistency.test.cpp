@@ -3,6 +3,7 @@
 #include <filesystem>
 #include <fstream>
 
+#include "fixtures/temporary_folder.hpp"
 #include "io/deck/fixtures.hpp"
 
 using namespace perimpact;
@@ -165,11 +166,9 @@ TEST_CASE("consistency: the analytic detector supports cylinders and spheres onl
 TEST_CASE("consistency: the path of a surface file is relative to the deck's folder, and the file must exist") {
   const std::string cylinder = "{cylinder: {diameter: 0.05, height: 0.025, axis: z, edge_length: 0.001}}";
   const std::string text = plate_with(cylinder, "{file: hull.stl, scale: 0.001, orientation: normals}");
-  const std::filesystem::path folder = std::filesystem::temp_directory_path() / "perimpact deck test";
-  std::filesystem::create_directories(folder);
+  const fixtures::TemporaryFolder folder;
   const std::filesystem::path hull = folder / "hull.stl";
-  std::filesystem::remove(hull);
-  const auto read_there = [&] { return deck::read_deck_text(text, "deck.yaml", folder); };
+  const auto read_there = [&] { return deck::read_deck_text(text, "deck.yaml", folder.path()); };
   const auto refused = [&](const std::string& sentence) {
     try {
       read_there();
@@ -187,7 +186,6 @@ TEST_CASE("consistency: the path of a surface file is relative to the deck's fol
   CHECK(surface.file == hull.string());
   CHECK(surface.scale == 0.001);
   CHECK(surface.orientation.word() == "normals");
-  std::filesystem::remove_all(folder);
 }
 
 TEST_CASE("consistency: boxes of contact bounds are given or fitted, sectors are valid, and the analytic detector takes no fitted bounds") {

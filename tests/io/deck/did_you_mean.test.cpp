@@ -4,7 +4,7 @@
 
 using namespace perimpact::deck;
 
-TEST_CASE("did you mean: an inserted, deleted, replaced or transposed letter is one edit; case and dashes are ignored") {
+TEST_CASE("did you mean: an inserted, deleted, replaced or transposed letter is one edit, case and dashes are ignored") {
   CHECK(edits_between("spacing", "spacing") == 0);
   CHECK(edits_between("spaccing", "spacing") == 1);
   CHECK(edits_between("spacin", "spacing") == 1);

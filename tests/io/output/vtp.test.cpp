@@ -8,6 +8,7 @@
 
 #include "base/parallel.hpp"
 #include "fixtures/temporary_folder.hpp"
+#include "fixtures/threads.hpp"
 #include "fixtures/vtp_file.hpp"
 
 using namespace perimpact::output;
@@ -103,11 +104,9 @@ TEST_CASE("vtp: triangles and quads are read back unchanged") {
 TEST_CASE("vtp: the file is identical for any number of threads") {
   const TemporaryFolder folder;
   const Particles particles(200'000);
-  const int threads = fccda::thread_count();
   for (const int count : {1, 3}) {
-    fccda::use_threads(count);
+    const fixtures::Threads with_several(count);
     write_vtp(folder / std::to_string(count), particles.frame(), Compression::zlib);
   }
-  fccda::use_threads(threads);
   CHECK(text_of(folder / "1") == text_of(folder / "3"));
 }

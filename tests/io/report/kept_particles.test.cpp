@@ -4,6 +4,8 @@
 
 #include <algorithm>
 
+#include "fixtures/larger.hpp"
+
 using namespace perimpact::report;
 using fccda::Vec3d;
 
@@ -47,7 +49,7 @@ TEST_CASE("kept particles: surface and damaged particles are kept, the others ar
     } else if (is_kept(number)) {
       gap = 0;
     } else {
-      widest = std::max(widest, ++gap);
+      widest = fixtures::larger(widest, ++gap);
     }
   }
   CHECK(widest == 4);  // 110 of the 510 others are kept: 3 or 4 are dropped between two of them

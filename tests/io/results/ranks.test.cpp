@@ -9,6 +9,7 @@
 
 #include "base/parallel.hpp"
 #include "fixtures/temporary_folder.hpp"
+#include "fixtures/threads.hpp"
 #include "io/checkpoint/checkpoint.hpp"
 #include "io/checkpoint/checkpoints.hpp"
 #include "io/output/results_folder.hpp"
@@ -189,17 +190,15 @@ TEST_CASE("ranks: the particles of thinned frames, their numbers and fields are 
   };
   const std::map<std::string, std::string> one = frames_of(1);
   CHECK(one.size() == 2 * selections.size());
-  const int threads = fccda::thread_count();
   for (const int ranks : {2, 3, 4, 7}) {
     CAPTURE(ranks);
-    fccda::use_threads(1 + ranks % 2);
+    const fixtures::Threads with_several(1 + ranks % 2);
     const std::map<std::string, std::string> others = frames_of(ranks);
     for (const auto& [name, contents] : one) {
       CAPTURE(name);
       CHECK(others.at(name) == contents);
     }
   }
-  fccda::use_threads(threads);
 }
 
 TEST_CASE("ranks: a run writes the thinned frames of one rank, byte for byte, in both formats") {

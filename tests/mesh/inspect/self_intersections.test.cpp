@@ -7,6 +7,7 @@
 
 #include "base/parallel.hpp"
 #include "fixtures/surfaces.hpp"
+#include "fixtures/threads.hpp"
 #include "mesh/inspect/crossing_triangles.hpp"
 #include "mesh/shapes/box.hpp"
 #include "mesh/shapes/sphere.hpp"
@@ -98,9 +99,9 @@ TEST_CASE("self-intersections: overlapping bodies are not counted") {
 
 TEST_CASE("self-intersections: identical on one thread and on four") {
   const Surface surface(figure_of_eight());
-  use_threads(1);
+  const fixtures::Threads with_one(1);
   const SelfIntersections one = inspect(surface);
-  use_threads(4);
+  const fixtures::Threads with_four(4);
   const SelfIntersections four = inspect(surface);
   CHECK(one.crossings == four.crossings);
   CHECK(one.defects[0].panels == four.defects[0].panels);

@@ -4,6 +4,8 @@
 
 #include "base/parallel.hpp"
 #include "fccda/detect/scene.hpp"
+#include "fixtures/larger.hpp"
+#include "fixtures/threads.hpp"
 #include "fixtures/tolerance.hpp"
 #include "mesh/remesh/meshes.hpp"
 
@@ -101,7 +103,7 @@ TEST_CASE("coarsen: no edge becomes longer than requested") {
   for (const double panel : {0.25, 0.4}) {
     const Coarsened coarse = coarsen(surface_from(make_box({.size = {1, 1, 1}, .edge_length = 0.05})), {flat, panel});
     double longest = 0;
-    for (const Triangle3& t : triangles_of(coarse.panels)) longest = std::max(longest, fixtures::longest_edge(t));
+    for (const Triangle3& t : triangles_of(coarse.panels)) longest = fixtures::larger(longest, fixtures::longest_edge(t));
     CHECK(longest <= panel);
     CHECK(longest > 0.9 * panel);  // and the limit is nearly reached
     CHECK(coarse.panels.panels.size() < 4800 / 4);
@@ -204,12 +206,10 @@ TEST_CASE("coarsen: parts in contact at single points do not come to share an ed
 
 TEST_CASE("coarsen: the result is bitwise identical for any number of threads") {
   const Surface hull = surface_from(fixtures::hull());
-  const int threads = thread_count();
-  use_threads(1);
+  const fixtures::Threads with_one(1);
   const Panels alone = coarsen(hull, {0.02, any_size}).panels;
-  use_threads(4);
+  const fixtures::Threads with_four(4);
   const Panels together = coarsen(hull, {0.02, any_size}).panels;
-  use_threads(threads);
   CHECK(alone.vertices == together.vertices);
   CHECK(alone.panels == together.panels);
 }

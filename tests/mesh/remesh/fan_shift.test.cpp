@@ -8,6 +8,7 @@
 #include <random>
 #include <vector>
 
+#include "fixtures/larger.hpp"
 #include "fixtures/surfaces.hpp"
 #include "fixtures/tolerance.hpp"
 
@@ -61,7 +62,7 @@ std::optional<double> sampled_shift(const Fan& fan, std::size_t to) {
         if (const auto h = height(t, x, y)) old_height = h;
       for (const auto& t : new_ones)
         if (const auto h = height(t, x, y)) new_height = h;
-      if (old_height && new_height) largest = std::max(largest, std::fabs(*old_height - *new_height));
+      if (old_height && new_height) largest = fixtures::larger(largest, std::fabs(*old_height - *new_height));
     }
   return largest;
 }

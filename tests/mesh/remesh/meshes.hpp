@@ -7,6 +7,7 @@
 #include <random>
 #include <vector>
 
+#include "fixtures/larger.hpp"
 #include "fixtures/surfaces.hpp"
 #include "mesh/search/closest_point.hpp"
 #include "mesh/surface.hpp"
@@ -75,7 +76,7 @@ inline double sampled_distance(const std::vector<Triangle3>& from, const std::ve
           nearest = std::min(nearest, squared_norm(point - fccda::closest_on_triangle(point, {other[0], other[1], other[2]}).point));
           if (nearest <= largest * largest) break;
         }
-        largest = std::max(largest, std::sqrt(nearest));
+        largest = fixtures::larger(largest, std::sqrt(nearest));
       }
   return largest;
 }

@@ -6,6 +6,7 @@
 #include <numbers>
 
 #include "base/error.hpp"
+#include "fixtures/larger.hpp"
 #include "fixtures/surfaces.hpp"
 #include "fixtures/tolerance.hpp"
 #include "mesh/remesh/meshes.hpp"
@@ -150,7 +151,7 @@ TEST_CASE("refine: a small box in the middle of a large panel is found, although
   const Panels refined = refine(surface_from(cube), std::vector<Refinement>{{.edge_length = 0.02, .box = box}});
   double longest = 0;
   for (const Triangle3& t : triangles_of(refined))
-    if (box.distance(middle(t)) == 0) longest = std::max(longest, fixtures::longest_edge(t));
+    if (box.distance(middle(t)) == 0) longest = fixtures::larger(longest, fixtures::longest_edge(t));
   CHECK(longest > 0);
   CHECK(longest <= 0.02);
   CHECK(refined.panels.size() < 1000);
@@ -230,7 +231,7 @@ TEST_CASE("refine: on cylinder, sphere and torus panels turn by at most the angl
       const double longest_allowed = std::max(panel, 1.2 * angle * round.radius);
       double longest = 0;
       for (const Triangle3& t : triangles_of(refined))
-        if (std::fabs(middle(t).z) < 0.55 || !round.part) longest = std::max(longest, fixtures::longest_edge(t));
+        if (std::fabs(middle(t).z) < 0.55 || !round.part) longest = fixtures::larger(longest, fixtures::longest_edge(t));
       CHECK(longest <= longest_allowed);
       CHECK(longest >= 0.4 * longest_allowed);  // one halving more than needed at most
     }
@@ -243,7 +244,7 @@ TEST_CASE("refine: by curvature alone flat faces stay coarse, and creases get th
   double longest = 0;
   for (const Triangle3& t : triangles_of(refined)) {
     if (on_edge(t[0]) || on_edge(t[1]) || on_edge(t[2])) CHECK(fixtures::longest_edge(t) <= 0.05);
-    longest = std::max(longest, fixtures::longest_edge(t));
+    longest = fixtures::larger(longest, fixtures::longest_edge(t));
   }
   CHECK(longest > 0.3);
   CHECK(fixtures::is_watertight(refined));

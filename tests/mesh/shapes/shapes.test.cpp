@@ -6,6 +6,7 @@
 #include <numbers>
 
 #include "base/error.hpp"
+#include "fixtures/larger.hpp"
 #include "fixtures/surfaces.hpp"
 #include "fixtures/tolerance.hpp"
 #include "mesh/shapes/box.hpp"
@@ -26,7 +27,7 @@ double longest_side(const Panels& panels) {
     const std::size_t corners = p[3] < 0 ? 3 : 4;
     for (std::size_t c = 0; c < corners; ++c) {
       const auto from = static_cast<std::size_t>(p[c]), to = static_cast<std::size_t>(p[(c + 1) % corners]);
-      longest = std::fmax(longest, norm(panels.vertices[from] - panels.vertices[to]));
+      longest = fixtures::larger(longest, norm(panels.vertices[from] - panels.vertices[to]));
     }
   }
   return longest;

@@ -4,6 +4,8 @@
 
 #include <cmath>
 #include <functional>
+#include <limits>
+#include <string>
 #include <utility>
 #include <vector>
 
@@ -39,7 +41,7 @@ Simulation made(const Setup& setup, std::function<void(double, const Body&, Vect
 
 }  // namespace
 
-TEST_CASE("user force: it is evaluated at t = 0 and once per step, at current positions, for particles only") {
+TEST_CASE("user force: it is evaluated at t = 0 and once per step, on a force density of zero") {
   std::vector<double> times;
   std::size_t changed_before = 0;
   Simulation simulation = made(block(), [&](double time, const Body& body, VectorArray& density) {
@@ -51,6 +53,24 @@ TEST_CASE("user force: it is evaluated at t = 0 and once per step, at current po
   REQUIRE(times.size() == static_cast<std::size_t>(simulation.clock().steps) + 1);
   for (std::size_t n = 0; n < times.size(); ++n) CHECK(times[n] == static_cast<double>(n) * simulation.clock().dt);
   CHECK(changed_before == 0);
+}
+
+TEST_CASE("user force: one that is not a number ends the run at the next row, with the particle and the last valid step") {
+  Setup setup = block();
+  setup.output.history_interval = setup.time.end / 20;
+  Simulation simulation = made(setup, [&](double time, const Body& body, VectorArray& density) {
+    if (time > 0.3 * setup.time.end) density.set(body.particles.slot_of()[5], {0, std::numeric_limits<double>::quiet_NaN(), 0});
+  });
+  std::string sentence;
+  try {
+    fixtures::run(simulation);
+  } catch (const fccda::RunError& error) {
+    sentence = error.what();
+  }
+  CAPTURE(sentence);
+  CHECK(sentence.find("particle 5 of block has a position or force that is not a number. Output up to step ") != std::string::npos);
+  CHECK(sentence.ends_with(" is valid; use a smaller time step."));
+  CHECK(simulation.clock().time() < 0.4 * setup.time.end);
 }
 
 TEST_CASE("user force: its work is the kinetic energy that it removes from a body it brakes") {

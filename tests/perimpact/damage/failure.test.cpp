@@ -9,6 +9,7 @@
 #include <utility>
 #include <vector>
 
+#include "fixtures/larger.hpp"
 #include "fixtures/tolerance.hpp"
 #include "perimpact/bodies.hpp"
 #include "perimpact/damage/strength.hpp"
@@ -249,7 +250,7 @@ TEST_CASE("failure: with compression hardening each bond breaks by the minimum s
         fixtures::shake(solid, pass % 3 == 0 ? 1e-9 : 6e-7 * pass, pass);
         std::vector<double> pressed(particles.slots(), 0.0);
         for (const std::uint32_t slot : particles.slot_of())
-          solid.family.for_each_bond(slot, [&](const FamilyBond& bond) { pressed[slot] = std::max(pressed[slot], -stretch_of(slot, bond)); });
+          solid.family.for_each_bond(slot, [&](const FamilyBond& bond) { pressed[slot] = fixtures::larger(pressed[slot], -stretch_of(slot, bond)); });
         std::vector<std::pair<std::uint32_t, std::uint32_t>> expected, left;
         std::size_t hardened = 0;
         for (const std::uint32_t slot : particles.slot_of())

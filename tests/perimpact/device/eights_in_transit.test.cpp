@@ -61,7 +61,7 @@ bool is_listed(const std::vector<std::uint32_t>& list, std::size_t slot) {
 
 }  // namespace
 
-TEST_CASE("numbers of listed eights travel to the device, and no others; all of them where most are listed") {
+TEST_CASE("numbers of listed eights travel to the device, and no others, or all of them where most are listed") {
   for (const std::size_t count : {std::size_t{1}, std::size_t{3}, std::size_t{10}, std::size_t{15}}) {
     CAPTURE(count);
     Copied<14> copied;

@@ -7,6 +7,8 @@
 #include <cstdint>
 #include <vector>
 
+#include "fixtures/larger.hpp"
+
 using namespace perimpact;
 using namespace perimpact::device;
 
@@ -27,7 +29,7 @@ TEST_CASE("tiles of a lattice: each slot has one thread, and the threads of a bl
         if (slot >= lattice.slots()) continue;
         ++visits[slot];
         const std::array<int, 3> cell = lattice.cell(slot);
-        for (std::size_t c = 0; c < 3; ++c) low[c] = std::min(low[c], cell[c]), high[c] = std::max(high[c], cell[c]);
+        for (std::size_t c = 0; c < 3; ++c) low[c] = std::min(low[c], cell[c]), high[c] = fixtures::larger(high[c], cell[c]);
       }
       if (high[0] < 0) continue;
       int box = 1;

@@ -112,8 +112,9 @@ struct Result {
   std::vector<std::vector<double>> rows;
   std::uint64_t hash = 0;
   std::size_t contacts = 0, broken_bonds = 0;
-  double flooding = 0;       // [J]
-  double window_travel = 0;  // [m]
+  double flooding = 0;                 // [J]
+  double plastic = 0, compaction = 0;  // [J] dissipated
+  double window_travel = 0;            // [m]
 };
 
 Result run(Simulation& simulation) {
@@ -123,7 +124,11 @@ Result run(Simulation& simulation) {
     result.contacts += simulation.contacts();
     if (simulation.monitors().is_due(simulation.clock())) result.rows.emplace_back(simulation.monitors().row().begin(), simulation.monitors().row().end());
   }
-  for (const Body& body : simulation.bodies()) result.broken_bonds += body.internal.broken_bonds();
+  for (const Body& body : simulation.bodies()) {
+    result.broken_bonds += body.internal.broken_bonds();
+    result.plastic += body.internal.plastic_dissipation();
+  }
+  if (simulation.fragments()) result.compaction = simulation.fragments()->compaction_dissipation();
   for (const NamedBoundaryCondition& one : simulation.boundary_conditions()[0].all())
     if (const auto* water = std::get_if<Floating>(&one.boundary)) result.flooding += water->flooding_dissipation();
   for (const MovingWindow& window : simulation.moving_windows()) result.window_travel = std::abs(window.travel());
@@ -188,7 +193,7 @@ TEST_CASE("simulation on a device: user forces, material that yields, and contac
   CHECK(expect_same(plate(), {{0, "spring", spring}}).contacts > 100);
   Setup yielding = plate({.critical_stretch = 4e-3});
   std::get<OrdinaryStateSetup>(yielding.bodies[0].material).plasticity.emplace().compressive_strength = 400e6;
-  CHECK(expect_same(yielding).contacts > 100);
+  CHECK(expect_same(yielding).plastic > 0);
   for (const char* what : {"plane", "solid", "without friction", "dashpots", "compacted"}) {
     CAPTURE(what);
     Setup setup = rubble(std::string_view(what) == "solid" ? Plane::none : Plane::strain);
@@ -200,7 +205,9 @@ TEST_CASE("simulation on a device: user forces, material that yields, and contac
     } else if (name == "compacted") {
       for (BodySetup& body : setup.bodies) std::get<OrdinaryStateSetup>(body.material).plasticity.emplace().compressive_strength = 300e6;
     }
-    CHECK(expect_same(setup).broken_bonds > 100);
+    const Result result = expect_same(setup);
+    CHECK(result.broken_bonds > 100);
+    CHECK((result.compaction > 0) == (std::string_view(what) == "compacted"));
   }
 }
 
@@ -212,6 +219,7 @@ TEST_CASE("simulation on a device: a body whose window moves is bitwise that of 
     const Result result = expect_same(setup);
     CHECK(result.window_travel == 24 * fixtures::window_spacing);
     CHECK(result.broken_bonds > 0);
+    if (setup.contact.fragments.law.index == static_cast<int>(FragmentLaw::repulsive)) CHECK(result.plastic > 0);
   }
 }
 

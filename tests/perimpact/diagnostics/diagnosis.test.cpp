@@ -5,6 +5,7 @@
 #include <filesystem>
 #include <fstream>
 
+#include "fixtures/temporary_folder.hpp"
 #include "perimpact/body/body.hpp"
 
 using namespace perimpact;
@@ -99,7 +100,8 @@ TEST_CASE("diagnosis: the motion per step follows from the maximum of a table, a
 }
 
 TEST_CASE("diagnosis: particles behind an open surface are counted, but not those in front of it or beyond its boundary edge") {
-  const std::filesystem::path file = std::filesystem::temp_directory_path() / "perimpact_open_square.obj";
+  const fixtures::TemporaryFolder folder;
+  const std::filesystem::path file = folder / "open_square.obj";
   std::ofstream(file) << "v -1 0 -1\nv 1 0 -1\nv 1 0 1\nv -1 0 1\nf 1 2 3 4\n";  // normal -y
   ImpactorSetup setup = cylinder();
   FileSurface square{.file = file.string()};
@@ -118,10 +120,9 @@ TEST_CASE("diagnosis: particles behind an open surface are counted, but not thos
   CHECK(particles_behind(made(setup), particles) == 2);
   setup.surface = BoxSurface{.size = {3, 3, 3}, .edge_length = 1};
   CHECK(particles_behind(made(setup), particles) == 0);  // closed: handled by initial_overlap
-  std::filesystem::remove(file);
 }
 
-TEST_CASE("diagnosis: the motion per step includes particle velocity and rotation of the surface; equal velocities give none") {
+TEST_CASE("diagnosis: the motion per step includes particle velocity and rotation of the surface, and equal velocities give none") {
   ImpactorSetup setup = cylinder();
   Target target = plate();
   target.velocity = {0, -32, 0};

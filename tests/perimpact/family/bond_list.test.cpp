@@ -10,6 +10,8 @@
 
 #include "base/pack.hpp"
 #include "base/parallel.hpp"
+#include "fixtures/larger.hpp"
+#include "fixtures/threads.hpp"
 
 using namespace perimpact;
 
@@ -84,7 +86,7 @@ void check_bonds(const Particles& particles, double horizon) {
     for (std::size_t slot = 0; slot < particles.slots(); ++slot) CHECK(found[slot] == defined[slot]);
     for (std::size_t eight = 0; eight < particles.slots() / byte_lanes; ++eight) {
       std::size_t longest = 0;
-      for (std::size_t lane = 0; lane < byte_lanes; ++lane) longest = std::max(longest, defined[eight * byte_lanes + lane].size());
+      for (std::size_t lane = 0; lane < byte_lanes; ++lane) longest = fixtures::larger(longest, defined[eight * byte_lanes + lane].size());
       CHECK(list.begin[eight + 1] - list.begin[eight] == longest);
     }
   }
@@ -121,13 +123,11 @@ TEST_CASE("bond list: neighbours at the distance of the horizon itself are bonde
 
 TEST_CASE("bond list: one, two and seven threads find the same") {
   const Particles particles(cloud(23, 21, 19, Order::rows), 1000);
-  const int before = fccda::thread_count();
   std::map<int, BondList> lists;
   for (const int threads : {1, 2, 7}) {
-    fccda::use_threads(threads);
+    const fixtures::Threads with_several(threads);
     lists.emplace(threads, find_bonds(FamilyRule::hu_ha_bobaru, 3.015 * h, particles));
   }
-  fccda::use_threads(before);
   for (const int threads : {2, 7}) {
     const BondList &one = lists.at(1), &other = lists.at(threads);
     CHECK(one.begin == other.begin);

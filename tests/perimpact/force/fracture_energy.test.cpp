@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "base/parallel.hpp"
+#include "fixtures/threads.hpp"
 #include "fixtures/tolerance.hpp"
 #include "perimpact/bodies.hpp"
 
@@ -64,14 +65,13 @@ TEST_CASE("fracture energy: in motion it is reduced by the work of the lost forc
 }
 
 TEST_CASE("fracture energy: it is the same for scalar and packed evaluation, one thread and several") {
-  const int threads_before = fccda::thread_count();
   for (const fixtures::NamedOptions& one : fixtures::every_body(size)) {
     CAPTURE(one.name);
     Body scalar = shaken(one.options, true);
     scalar.internal.evaluate_scalar(scalar.particles, scalar.family, dt);
     std::vector<double> found;
     for (const int threads : {1, 2, 4}) {
-      fccda::use_threads(threads);
+      const fixtures::Threads with_several(threads);
       Body wide = shaken(one.options, true);
       wide.internal.evaluate(wide.particles, wide.family, dt);
       found.push_back(wide.internal.fracture_energy());
@@ -80,5 +80,4 @@ TEST_CASE("fracture energy: it is the same for scalar and packed evaluation, one
     CHECK(found[0] == found[2]);
     CHECK(found[0] == fixtures::relative(scalar.internal.fracture_energy(), 1e-9));  // as above
   }
-  fccda::use_threads(threads_before);
 }

@@ -93,7 +93,7 @@ TEST_CASE("monitors: creating a row does not change the state, and interval mean
   CHECK(value(seldom, "hammer.force_y [N]") * seldom.clock().time() == fixtures::relative(often.impactors()[0].account().impulse.y, 1e-12));
 }
 
-TEST_CASE("monitors: each column has a kind, a unit and a meaning; forces are interval means, works cumulative") {
+TEST_CASE("monitors: each column has a kind, a unit and a meaning, forces are interval means, works cumulative") {
   const Simulation simulation(impacted_block({}));
   for (const Column& column : simulation.monitors().columns()) {
     CHECK_FALSE(column.unit.empty());

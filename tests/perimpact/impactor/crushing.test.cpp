@@ -10,6 +10,7 @@
 #include <utility>
 #include <vector>
 
+#include "fixtures/larger.hpp"
 #include "fixtures/temporary_folder.hpp"
 #include "fixtures/tolerance.hpp"
 #include "perimpact/bodies.hpp"
@@ -96,8 +97,8 @@ TEST_CASE("crushing: a box that withdraws and returns meets what is left") {
     if (!simulation.monitors().is_due(simulation.clock())) continue;
     const double time = simulation.clock().time(), force = fixtures::value(simulation, "box.force_z [N]");
     const double depth = speed * (time - down - 2 * up) + half;  // on the second way down
-    if (time > down + 2e-5 && depth < 0.9 * half) while_away = std::max(while_away, std::fabs(force));
-    largest = std::max(largest, force);
+    if (time > down + 2e-5 && depth < 0.9 * half) while_away = fixtures::larger(while_away, std::fabs(force));
+    largest = fixtures::larger(largest, force);
   }
   CHECK(while_away < 0.01 * pressure * face);
   CHECK(largest == relative(1.5 * pressure * face, 0.02));
@@ -169,7 +170,7 @@ TEST_CASE("crushing: a free ball and a free block exchange momentum to rounding,
     simulation.step();
     for (const ContactImpulse& one : simulation.impactors()[0].last_step().contact_impulses) {
       const double force = dot(one.impulse, -1.0 * one.contact.normal) / simulation.clock().dt;
-      if (one.contact.radius > 0.01 * radius) largest = std::max(largest, force), ++contacts;
+      if (one.contact.radius > 0.01 * radius) largest = fixtures::larger(largest, force), ++contacts;
     }
   }
   CHECK(contacts > 1000);
@@ -203,7 +204,7 @@ TEST_CASE("crushing: in a concave corner the force on a particle does not exceed
   while (!simulation.clock().is_finished()) {
     simulation.step();
     for (const ContactImpulse& one : simulation.impactors()[0].last_step().contact_impulses)
-      largest = std::max(largest, norm(one.impulse) / simulation.clock().dt);
+      largest = fixtures::larger(largest, norm(one.impulse) / simulation.clock().dt);
   }
   CHECK(simulation.impactors()[0].unresolved(0).count == 0);
   Particles particles = simulation.bodies()[0].particles;

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <string>
 
+#include "fixtures/larger.hpp"
 #include "fixtures/temporary_folder.hpp"
 #include "fixtures/tolerance.hpp"
 #include "perimpact/bodies.hpp"
@@ -63,13 +64,13 @@ TEST_CASE("floating impactor: a raft released above equilibrium oscillates with 
     simulation.step();
     if (!simulation.monitors().is_due(simulation.clock())) continue;
     const double t = simulation.clock().time();
-    worst = std::max(worst, std::fabs(raft.body().position_of_com().z - 0.1 * std::cos(omega * t)));
+    worst = fixtures::larger(worst, std::fabs(raft.body().position_of_com().z - 0.1 * std::cos(omega * t)));
     const double speed = raft.body().velocity().z;
     REQUIRE(std::fabs(value(simulation, "total.energy [J]") - raft.water_work() - first) < 1e-9);  // of 50 J in 2000 steps
     impulse += value(simulation, "raft.water_force_z [N]") * (t - before);
     before = t;
     REQUIRE(std::fabs(value(simulation, "total.momentum_z [kg m/s]") - impulse) < 1e-8);  // likewise
-    fastest = std::max(fastest, speed);
+    fastest = fixtures::larger(fastest, speed);
   }
   CHECK(worst < 0.1 * 0.5 * omega * 2e-3 * 1.05);           // the first kick is half a step late: ω dt/2 of the amplitude
   CHECK(fastest == fixtures::relative(0.1 * omega, 0.01));  // rows are 1 % of a period apart

@@ -9,6 +9,8 @@
 
 #include "base/error.hpp"
 #include "base/parallel.hpp"
+#include "fixtures/larger.hpp"
+#include "fixtures/threads.hpp"
 #include "fixtures/tolerance.hpp"
 #include "perimpact/boundary_conditions/scene.hpp"
 
@@ -102,7 +104,7 @@ std::vector<Vec3d> direct_solution(Body body, const Vec3d& force_density) {
 
 double largest(const Particles& particles, const std::function<Vec3d(std::size_t)>& vector) {
   double most = 0;
-  for (const std::uint32_t slot : particles.slot_of()) most = std::max(most, norm(vector(slot)));
+  for (const std::uint32_t slot : particles.slot_of()) most = fixtures::larger(most, norm(vector(slot)));
   return most;
 }
 
@@ -119,7 +121,7 @@ const fixtures::Regions ends = {{"left", [](const Vec3d& X) { return X.x < -0.00
 }  // namespace
 
 TEST_CASE("relax: in a block under tension strain and contraction are those of the classical solution (Madenci and Oterkus 2014, section 8.5)") {
-  fccda::use_threads(1);
+  const fixtures::Threads with_one(1);
   constexpr double spacing = 0.02, traction = 200e6;  // [m] [Pa]
   BodySetup setup = fixtures::body_setup({.size = {1, 0.1, 0.1}, .spacing = spacing});
   setup.material = OrdinaryStateSetup{{.youngs_modulus = 200e9, .poissons_ratio = 0.25, .density = 7850}};
@@ -144,7 +146,7 @@ TEST_CASE("relax: in a block under tension strain and contraction are those of t
 }
 
 TEST_CASE("relax: the equilibrium is that of the stiffness matrix, for any material, points and dimension") {
-  fccda::use_threads(1);
+  const fixtures::Threads with_one(1);
   using fixtures::Model;
   using fixtures::Points;
   const fixtures::BodyOptions all[] = {{},
@@ -174,7 +176,7 @@ TEST_CASE("relax: the equilibrium is that of the stiffness matrix, for any mater
 }
 
 TEST_CASE("relax: the equilibrium depends neither on the densities nor on the length of the increment, the iterations on the densities only") {
-  fccda::use_threads(1);
+  const fixtures::Threads with_one(1);
   const auto relaxed = [](double dt, double safety, long& iterations) {
     BodySetup setup = pulled_bar(1e-6);
     RelaxedBody bar(setup, make_body(setup), ends);
@@ -192,7 +194,7 @@ TEST_CASE("relax: the equilibrium depends neither on the densities nor on the le
 }
 
 TEST_CASE("relax: the work of prescribed displacements is the elastic energy, also over several increments") {
-  fccda::use_threads(1);
+  const fixtures::Threads with_one(1);
   BodySetup setup = pulled_bar(1e-6);
   RelaxedBody bar(setup, make_body(setup), ends);
   for (const double time : {0.2, 0.7, 1.0}) {
@@ -203,7 +205,7 @@ TEST_CASE("relax: the work of prescribed displacements is the elastic energy, al
 }
 
 TEST_CASE("relax: bonds break in equilibrium only, not by transient waves") {
-  fccda::use_threads(1);
+  const fixtures::Threads with_one(1);
   constexpr double critical = 1e-3;
   const double all = 0.011 * critical;  // [m] of the longer bonds between the ends, evenly stretched
   BodySetup setup = pulled_bar(0.6 * all, critical);
@@ -219,7 +221,7 @@ TEST_CASE("relax: bonds break in equilibrium only, not by transient waves") {
 }
 
 TEST_CASE("relax: an unconstrained body has no equilibrium, and the error gives the increment and the residual") {
-  fccda::use_threads(1);
+  const fixtures::Threads with_one(1);
   BodySetup setup = fixtures::body_setup({.size = {0.004, 0.003, 0.003}});
   setup.boundary_conditions = {{"weight", BodyForceSetup{.force_density = {0, 0, -8e4}}}};
   RelaxedBody falling(setup, make_body(setup), {});
@@ -237,7 +239,7 @@ TEST_CASE("relax: an unconstrained body has no equilibrium, and the error gives 
 
 TEST_CASE("relax: one and two threads yield the bitwise identical state, with bond failure on the way") {
   const auto positions = [](int threads) {
-    fccda::use_threads(threads);
+    const fixtures::Threads with_several(threads);
     BodySetup setup = pulled_bar(2.5e-5, 1e-3);
     RelaxedBody bar(setup, make_body(setup), ends);
     bar.to(1, {.tolerance = 0.02});

@@ -8,6 +8,8 @@
 #include <vector>
 
 #include "base/parallel.hpp"
+#include "fixtures/larger.hpp"
+#include "fixtures/threads.hpp"
 #include "fixtures/tolerance.hpp"
 #include "perimpact/bodies.hpp"
 #include "perimpact/small_matrices.hpp"
@@ -144,7 +146,7 @@ std::vector<double> forces(const Body& body) {
 
 double largest(const std::vector<double>& values) {
   double most = 0;
-  for (const double value : values) most = std::max(most, std::fabs(value));
+  for (const double value : values) most = fixtures::larger(most, std::fabs(value));
   return most;
 }
 
@@ -162,7 +164,7 @@ TEST_CASE("internal force: the SIMD and the scalar kernel agree for every materi
     // rounding of lengths differs by a few 1e-16; at a strain of 1e-3 this is 1e-12 of a bond's force, and less of a family's
     const double tolerance = 1e-12 * largest(b);
     double worst = 0;
-    for (std::size_t n = 0; n < a.size(); ++n) worst = std::max(worst, std::fabs(a[n] - b[n]));
+    for (std::size_t n = 0; n < a.size(); ++n) worst = fixtures::larger(worst, std::fabs(a[n] - b[n]));
     CHECK(worst <= tolerance);
     CHECK(largest(b) > 0);
   }
@@ -256,7 +258,7 @@ TEST_CASE("internal force: on the points of a lattice the stencil and the neighb
     CHECK(lattice.family.initial_bonds() == listed.family.initial_bonds());
     const auto a = forces(lattice), b = forces(listed);
     double worst = 0;
-    for (std::size_t n = 0; n < a.size(); ++n) worst = std::max(worst, std::fabs(a[n] - b[n]));
+    for (std::size_t n = 0; n < a.size(); ++n) worst = fixtures::larger(worst, std::fabs(a[n] - b[n]));
     // lengths of the list come from coordinates, with an error of 1e-17 m on extensions of 1e-5 m: 1e-12 of the force, for 178 random terms
     CHECK(worst <= 1e-10 * largest(b));
   }
@@ -279,16 +281,15 @@ TEST_CASE("internal force: factors from a table in the middle of long rows equal
             fixtures::relative(listed.internal.evaluate_with_energy(listed.particles, listed.family), 1e-10));
       const auto a = forces(lattice), b = forces(listed);
       double worst = 0;
-      for (std::size_t n = 0; n < a.size(); ++n) worst = std::max(worst, std::fabs(a[n] - b[n]));
+      for (std::size_t n = 0; n < a.size(); ++n) worst = fixtures::larger(worst, std::fabs(a[n] - b[n]));
       CHECK(worst <= 1e-10 * largest(b));
     }
 }
 
 TEST_CASE("internal force: results are bitwise identical for one, two and four threads") {
-  const int before = fccda::thread_count();
   std::vector<std::vector<double>> results;
   for (const int threads : {1, 2, 4}) {
-    fccda::use_threads(threads);
+    const fixtures::Threads with_several(threads);
     std::vector<double> all;
     for (fixtures::NamedOptions one : fixtures::every_body()) {
       BodyOptions& options = one.options;
@@ -301,7 +302,6 @@ TEST_CASE("internal force: results are bitwise identical for one, two and four t
     }
     results.push_back(std::move(all));
   }
-  fccda::use_threads(before);
   CHECK(results[0] == results[1]);
   CHECK(results[0] == results[2]);
 }

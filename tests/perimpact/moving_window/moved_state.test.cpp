@@ -12,7 +12,7 @@
 
 using namespace perimpact;
 
-TEST_CASE("moved state: numbers in lists of all particles and of some move with the material; new particles keep theirs, and 0 enters from outside the list") {
+TEST_CASE("moved state: numbers in lists of all particles and of some move with the material, new particles keep theirs, and 0 enters from outside the list") {
   const Body body = fixtures::body({.size = {0.024, 0.008, 0.004}, .spacing = 0.001});
   const Lattice& lattice = *body.particles.lattice();
   std::vector<std::uint32_t> all(body.particles.slot_of().begin(), body.particles.slot_of().end()), middle;

@@ -10,6 +10,8 @@
 #include <vector>
 
 #include "base/parallel.hpp"
+#include "fixtures/larger.hpp"
+#include "fixtures/threads.hpp"
 #include "fixtures/tolerance.hpp"
 #include "perimpact/bodies.hpp"
 #include "perimpact/resuming.hpp"
@@ -206,7 +208,7 @@ TEST_CASE("moving window: new material and ice beside it that has yielded exchan
   for (const std::uint32_t slot : particles.slot_of()) {
     const Vec3d force = particles.volume(slot) * particles.force_density.at(slot);
     sum += force;
-    largest = std::max(largest, norm(force));
+    largest = fixtures::larger(largest, norm(force));
   }
   CHECK(largest > 1);                 // [N], where 191 GPa · 1e-5 acts on the face of a particle, 7 N
   CHECK(norm(sum) < 1e-9 * largest);  // rounding of two thousand forces, each a sum of a hundred
@@ -260,7 +262,7 @@ TEST_CASE("moving window: it follows by multiples of eight spacings once the imp
   while (!simulation.clock().is_finished()) {
     const bool is_row = simulation.clock().step % 5 == 0;
     const double travelled = -simulation.impactors()[1].body().position_of_com().x, before = -simulation.moving_windows()[0].travel();
-    furthest = std::max(furthest, travelled);
+    furthest = fixtures::larger(furthest, travelled);
     simulation.step();
     const double travel = -simulation.moving_windows()[0].travel();
     CHECK(travel >= before);
@@ -317,7 +319,7 @@ TEST_CASE(
   setup.impactors[0].velocity.z = -450;
   Simulation simulation(setup);
   std::size_t crushed = 0;
-  for (; !simulation.clock().is_finished(); simulation.step()) crushed = std::max(crushed, fixtures::count_crushed(simulation.bodies()[0].particles));
+  for (; !simulation.clock().is_finished(); simulation.step()) crushed = fixtures::larger(crushed, fixtures::count_crushed(simulation.bodies()[0].particles));
   CHECK(crushed > 3);  // before the window leaves them behind
   CHECK(std::fabs(fixtures::value(simulation, "body.behind.work [J]")) > 0);
   CHECK(fixtures::value(simulation, "body.broken_bonds [-]") > 0);
@@ -330,14 +332,12 @@ TEST_CASE("moving window: the number of threads changes nothing") {
   Setup setup = struck(40, 0, Model::bond_based, 32);
   setup.bodies[0].moving_window = window_after(0);
   const auto hash = [&](int threads) {
-    fccda::use_threads(threads);
+    const fixtures::Threads with_several(threads);
     Simulation simulation(setup);
     fixtures::run(simulation);
     return simulation.state_hash();
   };
-  const int before = omp_get_max_threads();
   const std::uint64_t one = hash(1), three = hash(3);
-  fccda::use_threads(before);
   CHECK(one == three);
 }
 
@@ -385,8 +385,8 @@ TEST_CASE("moving window: new material matches a front that is displaced, rotate
       double off = 0, off_velocity = 0;
       for (const std::uint32_t slot : particles.slot_of()) {
         const Vec3d X = particles.reference(slot);
-        off = std::max(off, norm(particles.displacement(slot) - displacement(X) - time * velocity(X)));
-        off_velocity = std::max(off_velocity, norm(particles.velocity.at(slot) - velocity(X)));
+        off = fixtures::larger(off, norm(particles.displacement(slot) - displacement(X) - time * velocity(X)));
+        off_velocity = fixtures::larger(off_velocity, norm(particles.velocity.at(slot) - velocity(X)));
       }
       // the rotation stretches by 1e-6: waves with some times 1e-6 of 5 km/s, and their way in 2 µs
       CHECK(off < 1e-3 * spacing);
@@ -457,6 +457,19 @@ TEST_CASE("moving window: what cannot move is refused with its reason") {
   refused([](Setup& s) { s.bodies[0].holes = {{.name = "hole", .shape = BoxSolid{{0.01, 0.01, 0.01}}}}; }, "it does not fill a box");
   refused([](Setup& s) { s.bodies[0].failure = FailureSetup{.weibull_modulus = 8}; }, "its strength is scattered");
   refused([](Setup& s) { s.bodies[0].velocity = {1, 0, 0}; }, "it has an initial velocity");
+  refused(
+      [](Setup& s) {
+        s.bodies[0].cracks = {{"notch", {{0, -1, -1}, {0, 1, -1}, {0, 1, 1}, {0, -1, 1}}}};
+      },
+      "it has initial cracks, which material added later lacks");
   refused([](Setup& s) { s.output.probes = {{"end", "body", {}}}; }, "probes and lines refer to points of it");
   refused([](Setup& s) { s.bodies[0].boundary_conditions = {{"push", BodyForceSetup{}}}; }, "push is none of fixed, absorbing and floating");
+  refused(
+      [](Setup& s) {
+        FloatingSetup part;
+        part.particle_set = "part";
+        s.bodies[0].particle_sets = {{.name = "part", .shape = BoxSolid{{0.01, 1, 1}}}};
+        s.bodies[0].boundary_conditions = {{"sea", part}};
+      },
+      "boundary condition sea floats a part of it; float all of it");
 }

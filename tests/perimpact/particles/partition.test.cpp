@@ -6,6 +6,7 @@
 #include <random>
 #include <vector>
 
+#include "fixtures/larger.hpp"
 #include "perimpact/particles/cloud_part.hpp"
 
 using namespace perimpact;
@@ -15,14 +16,14 @@ namespace {
 /// The most cells of a box, over their mean.
 double imbalance(const PartitionRule& rule, int ranks) {
   std::size_t most = 0;
-  for (const CellBox& box : partition(rule, ranks)) most = std::max(most, box.cells());
+  for (const CellBox& box : partition(rule, ranks)) most = fixtures::larger(most, box.cells());
   return static_cast<double>(most) * ranks / static_cast<double>(CellBox{{0, 0, 0}, rule.cells}.cells());
 }
 
 /// The largest cost of a box, over their mean.
 double imbalance_of_costs(const std::vector<CellBox>& boxes, const MeasuredLoad& load) {
   double most = 0, all = 0;
-  for (const CellBox& box : boxes) most = std::max(most, cost_of(load, box)), all += cost_of(load, box);
+  for (const CellBox& box : boxes) most = fixtures::larger(most, cost_of(load, box)), all += cost_of(load, box);
   return most * static_cast<double>(boxes.size()) / all;
 }
 
@@ -32,7 +33,7 @@ std::size_t most_neighbours(const std::vector<CellBox>& boxes, int reach) {
   for (const CellBox& box : boxes) {
     const CellBox around = box.grown({reach, reach, reach});
     const auto within = std::ranges::count_if(boxes, [&](const CellBox& other) { return intersection(around, other).cells() > 0; });
-    most = std::max(most, static_cast<std::size_t>(within) - 1);
+    most = fixtures::larger(most, static_cast<std::size_t>(within) - 1);
   }
   return most;
 }

@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "base/parallel.hpp"
+#include "fixtures/threads.hpp"
 
 using namespace perimpact;
 
@@ -78,17 +79,15 @@ TEST_CASE("sums over eights: the order of the eights and the number of threads d
     return sum;
   };
   const MassAndEnergy expected = sum_of(particles.slot_of());
-  const int before = fccda::thread_count();
   int plain_sums_that_differ = 0;
   for (const int threads : {1, 2, 3})
     for (int trial = 0; trial < 10; ++trial) {
-      fccda::use_threads(threads);
+      const fixtures::Threads with_several(threads);
       const std::vector<std::uint32_t> slots = permuted(particles.slot_of(), random);
       REQUIRE(slots.size() == particles.size());
       plain_sums_that_differ += plain(slots) != plain(particles.slot_of());
       CHECK(sum_of(slots) == expected);
     }
-  fccda::use_threads(before);
   CHECK(plain_sums_that_differ > 20);
 }
 

@@ -6,6 +6,7 @@
 #include <string>
 
 #include "base/error.hpp"
+#include "fixtures/threads.hpp"
 #include "perimpact/bodies.hpp"
 #include "perimpact/simulation/simulation.hpp"
 
@@ -86,9 +87,7 @@ TEST_CASE("ranks as threads: three ranks of two threads end in the state of one 
     });
     return hash;
   };
-  const int before = fccda::thread_count();
   const std::uint64_t one = hash_of(1);
-  fccda::use_threads(2);
+  const fixtures::Threads with_two(2);
   CHECK(hash_of(3) == one);
-  fccda::use_threads(before);
 }

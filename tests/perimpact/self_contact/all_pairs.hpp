@@ -8,6 +8,7 @@
 #include <utility>
 #include <vector>
 
+#include "fixtures/larger.hpp"
 #include "perimpact/force/piles.hpp"
 
 namespace fixtures {
@@ -156,8 +157,8 @@ inline double difference(const Pile& pile, const AllPairs& expected) {
   for (std::size_t b = 0; b < pile.bodies.size(); ++b)
     for (const std::uint32_t slot : pile.bodies[b].particles.slot_of()) {
       const Particles& particles = pile.bodies[b].particles;
-      largest = std::max(largest, norm(expected.force[b][slot]));
-      apart = std::max(apart, norm(particles.volume(slot) * particles.force_density.at(slot) - expected.force[b][slot]));
+      largest = fixtures::larger(largest, norm(expected.force[b][slot]));
+      apart = fixtures::larger(apart, norm(particles.volume(slot) * particles.force_density.at(slot) - expected.force[b][slot]));
     }
   return apart == 0 ? 0 : apart / largest;
 }

@@ -371,5 +371,7 @@ TEST_CASE("short range: coincident particles are not repelled, and all values st
   const auto bodies = pile.contacts();
   ShortRange contact(pile.law, bodies);
   contact.add_forces(bodies, 1e-8);
+  CHECK(contact.near_pairs().pairs_of(0).count == 1);
   CHECK(pile.magnitude() == 0);
+  CHECK(std::isfinite(contact.energy()));
 }

@@ -6,6 +6,8 @@
 #include <numbers>
 
 #include "base/parallel.hpp"
+#include "fixtures/larger.hpp"
+#include "fixtures/threads.hpp"
 #include "fixtures/tolerance.hpp"
 #include "perimpact/force/piles.hpp"
 
@@ -36,8 +38,7 @@ double restitution_of_two(double wanted, double steps) {
   const double mass = pile.bodies[0].particles.mass(pile.bodies[0].particles.slot_of()[0]), volume = size * size * size;
   const double dt = 1 / steps / std::sqrt(bodies[0].stiffness * volume * volume / (0.5 * mass));
   std::vector<double> travel(1);
-  const int threads = fccda::thread_count();
-  fccda::use_threads(1);  // two particles are not worth waking another
+  const fixtures::Threads with_one(1);  // two particles are not worth waking another
   bool touched = false;
   double energy = 0;
   for (int step = 0; step < 100000; ++step) {
@@ -45,10 +46,9 @@ double restitution_of_two(double wanted, double steps) {
     pile.clear_forces();
     contact.add_forces(bodies, dt);
     touched = touched || contact.contacts() > 0;
-    energy = std::max(energy, contact.energy());
+    energy = fixtures::larger(energy, contact.energy());
     if (touched && contact.contacts() == 0) break;
   }
-  fccda::use_threads(threads);
   REQUIRE(touched);
   if (wanted == 1) CHECK(energy == fixtures::relative(mass, 0.01));  // 2 m v²/2 all in the spring, but for where in a step its end falls
   const double relative_velocity = pile.bodies[1].particles.velocity.at(0).x - pile.bodies[0].particles.velocity.at(0).x;
@@ -143,7 +143,7 @@ TEST_CASE("short-range law: constants of a face are those of a sum over a lattic
     for (int m = 0; m < phases; ++m)
       for (int n = 0; n < (plane ? 1 : phases); ++n) {
         const double u = double(m) / phases, v = double(n) / phases;
-        most = std::max(most, density(1, u, v));
+        most = fixtures::larger(most, density(1, u, v));
         slope += (density(0.9999, u, v) - density(1.0001, u, v)) / 2e-4 / (plane ? phases : phases * phases);
       }
     CHECK(face.density == fixtures::relative(most, 1e-5));  // its digits

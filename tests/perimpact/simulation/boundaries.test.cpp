@@ -5,6 +5,7 @@
 #include <string>
 
 #include "base/parallel.hpp"
+#include "fixtures/threads.hpp"
 #include "fixtures/tolerance.hpp"
 #include "perimpact/bodies.hpp"
 #include "perimpact/simulations.hpp"
@@ -93,7 +94,7 @@ TEST_CASE("boundary conditions: an impactor does not move constrained particles,
 
 TEST_CASE("boundary conditions: one, two and four threads end in the bitwise identical state, with one of each kind") {
   const auto hash = [](int threads) {
-    fccda::use_threads(threads);
+    const fixtures::Threads with_several(threads);
     Setup setup = clamped_plate();
     setup.time.end = 4e-6;
     DisplacementSetup course;
@@ -127,7 +128,7 @@ TEST_CASE("relax: each increment is a row with its residual and iterations, and 
   setup.bodies[0].boundary_conditions.push_back(
       {"pull", PressureSetup{.particle_set = "right", .face = Choice{face_words, 0}, .value = -1e6, .times = {0, 2}, .factors = {0, 1}}});
   setup.output.probes = {{"end", "plate", {0.0095, 0, 0}}};
-  fccda::use_threads(1);
+  const fixtures::Threads with_one(1);
   Simulation simulation(setup);
   double first = 0;
   for (int increment = 1; increment <= 4; ++increment) {

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <optional>
 
+#include "fixtures/larger.hpp"
 #include "fixtures/tolerance.hpp"
 #include "perimpact/bodies.hpp"
 #include "perimpact/resuming.hpp"
@@ -57,7 +58,7 @@ TEST_CASE("energy balance: it closes for every material while a driven block bre
     double largest = 0;
     while (!simulation.clock().is_finished()) {
       simulation.step();
-      if (simulation.monitors().is_due(simulation.clock())) largest = std::max(largest, std::fabs(value(simulation, "total.energy_balance_error [J]")));
+      if (simulation.monitors().is_due(simulation.clock())) largest = fixtures::larger(largest, std::fabs(value(simulation, "total.energy_balance_error [J]")));
     }
     const double work = -value(simulation, "block.contact_work [J]");
     REQUIRE(value(simulation, "sheet.broken_bonds [-]") > 100);

@@ -10,7 +10,9 @@
 #include <type_traits>
 
 #include "base/parallel.hpp"
+#include "fixtures/larger.hpp"
 #include "fixtures/snapshot.hpp"
+#include "fixtures/threads.hpp"
 #include "fixtures/tolerance.hpp"
 #include "perimpact/bodies.hpp"
 #include "perimpact/integrate/stable_step.hpp"
@@ -91,7 +93,7 @@ TEST_CASE("fragments: two equal bars in head-on impact exchange their velocities
     double most = 0;
     while (!simulation.clock().is_finished()) {
       simulation.step();
-      most = std::max(most, simulation.fragments()->energy());
+      most = fixtures::larger(most, simulation.fragments()->energy());
     }
     CHECK(most > 0.01 * energy);                                // contact occurred
     CHECK(value(simulation, "total.contact_energy [J]") == 0);  // and have parted
@@ -114,26 +116,24 @@ TEST_CASE("fragments: without contact the same bars pass through one another, an
 
 TEST_CASE(
     "fragments: blocks that shatter one another end in the same state to the last bit on one, two and four threads, and whenever the pairs are looked for") {
-  const int before = fccda::thread_count();
   std::vector<std::uint64_t> hashes;
   for (const int threads : {1, 2, 4})
     for (const bool forgets : {false, true}) {
       if (threads == 4 && !forgets) continue;
-      fccda::use_threads(threads);
+      const fixtures::Threads with_several(threads);
       Simulation simulation(shattering());
       std::mt19937_64 random(static_cast<std::uint64_t>(threads));
       std::size_t most = 0;
       while (!simulation.clock().is_finished()) {
         if (forgets && random() % 3 == 0) simulation.forget_near_pairs();
         simulation.step();
-        most = std::max(most, simulation.fragments()->contacts());
+        most = fixtures::larger(most, simulation.fragments()->contacts());
       }
       CHECK(value(simulation, "block.broken_bonds [-]") > 1000);
       CHECK(most > 30);
       CHECK(simulation.fragments()->friction_dissipation() > 0);
       hashes.push_back(simulation.state_hash());
     }
-  fccda::use_threads(before);
   for (const std::uint64_t hash : hashes) CHECK(hash == hashes[0]);
 }
 
@@ -152,7 +152,7 @@ TEST_CASE("fragments: the dissipation by friction and dashpots is the energy los
     const ShortRange& contact = *simulation.fragments();
     if (!simulation.monitors().is_due(simulation.clock())) continue;
     const double left = value(simulation, "total.energy [J]") + contact.friction_dissipation() + contact.dashpot_dissipation();
-    furthest = std::max(furthest, std::fabs(left / first - 1));
+    furthest = fixtures::larger(furthest, std::fabs(left / first - 1));
   }
   CHECK(furthest <= 0.02);
   CHECK(simulation.fragments()->friction_dissipation() > 0.01 * first);
@@ -389,7 +389,7 @@ TEST_CASE("fragments: bodies initially closer than the contact distance yield a 
   CHECK(warnings[0].find(" pairs of particles are initially closer than their contact distance, and ") != std::string::npos);
 }
 
-TEST_CASE("stable step: contact shortens it, and dashpots more so; a pile of rubble is stable at it") {
+TEST_CASE("stable step: contact of fragments shortens it, and dashpots more so") {
   Setup setup = two_bars(Plane::none, 10, 30e-6);
   const auto step = [&] { return Simulation(setup).stability().estimate; };
   const double with = step();

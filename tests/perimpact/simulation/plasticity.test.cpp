@@ -7,6 +7,8 @@
 #include <numbers>
 
 #include "base/parallel.hpp"
+#include "fixtures/larger.hpp"
+#include "fixtures/threads.hpp"
 #include "fixtures/tolerance.hpp"
 #include "perimpact/bodies.hpp"
 #include "perimpact/resuming.hpp"
@@ -61,8 +63,8 @@ Loaded load(const Setup& setup, double sign) {
     simulation.step();
     if (!simulation.monitors().is_due(simulation.clock())) continue;
     const double pull = 0.5 * (value(simulation, "ice.top.force_z [N]") - value(simulation, "ice.bottom.force_z [N]"));
-    result.strongest = std::max(result.strongest, sign * pull / area);
-    result.balance_error = std::max(result.balance_error, std::fabs(value(simulation, "total.energy_balance_error [J]")));
+    result.strongest = fixtures::larger(result.strongest, sign * pull / area);
+    result.balance_error = fixtures::larger(result.balance_error, std::fabs(value(simulation, "total.energy_balance_error [J]")));
   }
   result.work = value(simulation, "ice.top.work [J]") + value(simulation, "ice.bottom.work [J]");
   if (simulation.bodies()[0].internal.plastic()) result.flow = value(simulation, "ice.plastic_dissipation [J]");
@@ -143,11 +145,9 @@ TEST_CASE("plasticity: a run that is left off after every step goes on to the la
 
 TEST_CASE("plasticity: the number of threads changes nothing while ice is crushed") {
   const auto hash = [](int threads) {
-    const int before = fccda::thread_count();
-    fccda::use_threads(threads);
+    const fixtures::Threads with_several(threads);
     Simulation simulation(indented(6e-3));
     fixtures::run(simulation);
-    fccda::use_threads(before);
     return simulation.state_hash();
   };
   CHECK(hash(1) == hash(3));
@@ -158,7 +158,7 @@ TEST_CASE("plasticity: the energy of an indentation closes, debris and plastic f
   double largest = 0;
   while (!simulation.clock().is_finished()) {
     simulation.step();
-    if (simulation.monitors().is_due(simulation.clock())) largest = std::max(largest, std::fabs(value(simulation, "total.energy_balance_error [J]")));
+    if (simulation.monitors().is_due(simulation.clock())) largest = fixtures::larger(largest, std::fabs(value(simulation, "total.energy_balance_error [J]")));
   }
   const double work = -value(simulation, "ball.contact_work [J]");
   CHECK(value(simulation, "ice.plastic_dissipation [J]") > 0.2 * work);
@@ -176,8 +176,8 @@ TEST_CASE("plasticity: in a fast impact neither the force nor the dissipation de
     while (!simulation.clock().is_finished()) {
       simulation.step();
       if (!simulation.monitors().is_due(simulation.clock())) continue;
-      result.strongest = std::max(result.strongest, std::fabs(value(simulation, "ball.force_z [N]")));
-      result.balance_error = std::max(result.balance_error, std::fabs(value(simulation, "total.energy_balance_error [J]")));
+      result.strongest = fixtures::larger(result.strongest, std::fabs(value(simulation, "ball.force_z [N]")));
+      result.balance_error = fixtures::larger(result.balance_error, std::fabs(value(simulation, "total.energy_balance_error [J]")));
     }
     result.flow = value(simulation, "ice.plastic_dissipation [J]");
     return result;
@@ -194,11 +194,9 @@ TEST_CASE("plasticity: in a fast impact neither the force nor the dissipation de
 
 TEST_CASE("plasticity: what flow affects is all that needs a second evaluation, whatever the number of threads") {
   const auto hash = [](int threads, double history_interval) {
-    const int before = fccda::thread_count();
-    fccda::use_threads(threads);
+    const fixtures::Threads with_several(threads);
     Simulation simulation(thrown(thrown_step, history_interval));
     fixtures::run(simulation);
-    fccda::use_threads(before);
     return simulation.state_hash();
   };
   const std::uint64_t expected = hash(1, 2e-3);

@@ -8,6 +8,7 @@
 #include <sstream>
 #include <string>
 
+#include "fixtures/larger.hpp"
 #include "fixtures/temporary_folder.hpp"
 #include "fixtures/tolerance.hpp"
 #include "perimpact/bodies.hpp"
@@ -289,7 +290,7 @@ TEST_CASE("rank forecast: the duration of a step is that of the slowest rank by 
   const RankForecast forecast = rank_forecast_of(setup, discretised(setup), 4, 10, network);
   double slowest = 0;
   for (const BodyShare& share : shares_of(setup.bodies[0], 4))  // 48 bytes and 8 bytes of each cell
-    slowest = std::max(slowest, 10 * share.cells / forecast.cells[0] + 2 * static_cast<double>(share.neighbours) * 1e-3 + 56 * share.sent_slots / 1e6);
+    slowest = fixtures::larger(slowest, 10 * share.cells / forecast.cells[0] + 2 * static_cast<double>(share.neighbours) * 1e-3 + 56 * share.sent_slots / 1e6);
   CHECK(forecast.step() == fixtures::relative(slowest, 1e-12));
   Setup held = setup;
   held.bodies[0].boundary_conditions = {{"grip", BodyForceSetup{.force_density = {0, 0, 1}}}};  // a reduction of three exact sums, in two rounds

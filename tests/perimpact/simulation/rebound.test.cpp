@@ -7,6 +7,7 @@
 #include <numbers>
 #include <string>
 
+#include "fixtures/larger.hpp"
 #include "fixtures/temporary_folder.hpp"
 #include "fixtures/tolerance.hpp"
 #include "perimpact/bodies.hpp"
@@ -86,9 +87,9 @@ Bounce bounce(const Setup& setup) {
   found.highest = found.start;
   while (!simulation.clock().is_finished()) {
     simulation.step();
-    found.highest = std::max(found.highest, value(simulation, "total.energy [J]"));
-    found.closing = std::max(found.closing, std::fabs(value(simulation, "total.energy_balance_error [J]")));
-    found.momentum = std::max(found.momentum, std::fabs(value(simulation, "total.momentum_z [kg m/s]") - momentum));
+    found.highest = fixtures::larger(found.highest, value(simulation, "total.energy [J]"));
+    found.closing = fixtures::larger(found.closing, std::fabs(value(simulation, "total.energy_balance_error [J]")));
+    found.momentum = fixtures::larger(found.momentum, std::fabs(value(simulation, "total.momentum_z [kg m/s]") - momentum));
   }
   found.loss = value(simulation, "total.contact_dissipation [J]");
   return found;

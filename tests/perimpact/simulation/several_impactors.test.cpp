@@ -5,6 +5,7 @@
 #include <string>
 
 #include "base/parallel.hpp"
+#include "fixtures/threads.hpp"
 #include "fixtures/tolerance.hpp"
 #include "perimpact/bodies.hpp"
 #include "perimpact/simulation/simulation.hpp"
@@ -82,19 +83,17 @@ TEST_CASE("several impactors: penetration that two plates cannot resolve is coun
 }
 
 TEST_CASE("several impactors: any number of threads ends in the bitwise identical state") {
-  const int before = fccda::thread_count();
   Setup setup = block_between(4, 8);
   setup.impactors[0].angular_velocity = {0, 0, 300};
   setup.impactors[0].free_dofs = {"x", "y", "z", "rx", "ry", "rz"};
   setup.contact.impactors.friction = 0.2;
   std::vector<std::uint64_t> hashes;
   for (const int threads : {1, 2, 4}) {
-    fccda::use_threads(threads);
+    const fixtures::Threads with_several(threads);
     Simulation simulation(setup);
     run(simulation);
     hashes.push_back(simulation.state_hash());
   }
-  fccda::use_threads(before);
   CHECK(hashes[0] == hashes[1]);
   CHECK(hashes[0] == hashes[2]);
 }

@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "base/parallel.hpp"
+#include "fixtures/threads.hpp"
 
 using perimpact::StateHash;
 
@@ -98,12 +99,10 @@ TEST_CASE("state hash: zeros in arrays of different lengths differ, so that an a
 
 TEST_CASE("state hash: the number of threads does not matter") {
   const std::vector<double> numbers = some_numbers(3'000'000);  // more than one thread hashes
-  const int before = fccda::thread_count();
   std::set<std::uint64_t> hashes;
   for (const int threads : {1, 2, 3}) {
-    fccda::use_threads(threads);
+    const fixtures::Threads with_several(threads);
     hashes.insert(hash_of("x", numbers));
   }
-  fccda::use_threads(before);
   CHECK(hashes.size() == 1);
 }

@@ -6,6 +6,7 @@
 #include <random>
 #include <vector>
 
+#include "fixtures/larger.hpp"
 #include "fixtures/tolerance.hpp"
 #include "perimpact/bodies.hpp"
 
@@ -31,7 +32,8 @@ double total_volume(const Body& body) { return body.particles.total_mass() / bod
 
 double largest_force(const Body& body) {
   double largest = 0;
-  for (const std::uint32_t slot : body.particles.slot_of()) largest = std::max(largest, fccda::largest_magnitude(body.particles.force_density.at(slot)));
+  for (const std::uint32_t slot : body.particles.slot_of())
+    largest = fixtures::larger(largest, fccda::largest_magnitude(body.particles.force_density.at(slot)));
   return largest;
 }
 
@@ -94,7 +96,7 @@ double stiffness_of_bar(Stabilisation stabilisation, bool torsion) {
   };
   const auto force_of = [&](const Field& v) {
     double largest = 0;
-    for (const Vec3d& one : v) largest = std::max(largest, fccda::largest_magnitude(one));
+    for (const Vec3d& one : v) largest = fixtures::larger(largest, fccda::largest_magnitude(one));
     const double scale = 1e-6 * bar.particles.spacing() / largest;  // linear to as much
     for (std::size_t i = 0; i < n; ++i) bar.particles.position.set(slots[i], X[i] + scale * v[i]);
     Field f = forces(bar);

@@ -7,6 +7,8 @@
 #include <vector>
 
 #include "base/parallel.hpp"
+#include "fixtures/larger.hpp"
+#include "fixtures/threads.hpp"
 #include "fixtures/tolerance.hpp"
 #include "perimpact/ices.hpp"
 
@@ -79,7 +81,7 @@ std::vector<double> forces(const Body& body) {
 
 double largest(const std::vector<double>& values) {
   double most = 0;
-  for (const double value : values) most = std::max(most, std::fabs(value));
+  for (const double value : values) most = fixtures::larger(most, std::fabs(value));
   return most;
 }
 
@@ -182,10 +184,8 @@ TEST_CASE("plastic force: the wide kernel gives what the one-particle kernel giv
       CHECK(yielded > 0.1 * static_cast<double>(wide.particles.size()));
     };
     same_state(narrow);
-    const int threads = fccda::thread_count();
-    fccda::use_threads(5);
+    const fixtures::Threads with_five(5);
     const Body threaded = run(false);
-    fccda::use_threads(threads);
     CHECK(forces(wide) == forces(threaded));
     CHECK(wide.internal.plastic_dissipation() == threaded.internal.plastic_dissipation());
     CHECK(wide.internal.fracture_energy() == threaded.internal.fracture_energy());
