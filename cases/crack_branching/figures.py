@@ -11,7 +11,7 @@ import matplotlib
 
 matplotlib.use("Agg")
 import matplotlib.pyplot as plt  # noqa: E402
-from measure import frames, measure  # noqa: E402
+from measure import frames, measure, options, refuse, run  # noqa: E402
 
 CASE = Path(__file__).resolve().parent
 sys.path.insert(0, str(CASE.parents[1] / "scripts/results"))
@@ -21,9 +21,11 @@ INSTANTS = 15e-6, 25e-6, 35e-6, 50e-6  # [s] before branching, twice during prop
 
 
 def main():
-    folder = Path(sys.argv[1])
+    folder = options(__doc__).parse_args().results
     pictures = list(frames(folder))
     found = measure(pictures)
+    if found["branches at [m]"] is None:
+        refuse(f"{folder}: the crack does not branch.")
     figure, axes = plt.subplots(2, 2, figsize=(10, 4.7), sharex=True, sharey=True, layout="constrained")
     for axis, wanted in zip(axes.flat, INSTANTS):
         time, points, damage = min(pictures, key=lambda picture: abs(picture[0] - wanted))
@@ -44,4 +46,4 @@ def main():
 
 
 if __name__ == "__main__":
-    main()
+    run(main)

@@ -22,6 +22,7 @@ import numpy as np
 
 CASE = Path(__file__).resolve().parent
 sys.path.insert(0, str(CASE.parents[1] / "scripts/results"))
+from results_folder import options, refuse, run  # noqa: E402
 from vtp_reader import pictures  # noqa: E402
 
 DAMAGED = 0.35
@@ -90,6 +91,10 @@ def show(title, values):
         print(f"    {name:<28}{'–' if value is None else f'{value:.4g}'}")
 
 
-if __name__ == "__main__":
-    for folder in map(Path, sys.argv[1:]):
+def main():
+    for folder in options(__doc__, nargs="+").parse_args().results:
         show(folder, measure(frames(folder)))
+
+
+if __name__ == "__main__":
+    run(main)

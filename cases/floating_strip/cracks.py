@@ -6,6 +6,7 @@ docs/theory/floating_strip.md: the load at the first frame with a broken bond, t
 of a layer are broken in the frame before the latter. A frame is 0.2 kN/m. A finished run in OUTDIR is not made again.
 """
 
+import argparse
 import json
 import subprocess
 import sys
@@ -59,7 +60,11 @@ def measured(folder, deck):
 
 
 def main():
-    program, out = Path(sys.argv[1]).resolve(), Path(sys.argv[2])
+    arguments = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
+    arguments.add_argument("program", metavar="BINARY", type=Path)
+    arguments.add_argument("out", metavar="OUTDIR", type=Path)
+    given = arguments.parse_args()
+    program, out = given.program.resolve(), given.out
     strips = {strip: (out / "{}_layers_{}_{}".format(*strip), deck_of(*strip)) for strip in STRIPS}
     with ThreadPoolExecutor(4) as pool:
         list(pool.map(lambda one: run(program, *one), strips.values()))

@@ -4,7 +4,6 @@
     cases/floating_strip/figure.py results/floating_strip        writes figures/floating_strip.png beside this script
 """
 
-import sys
 from pathlib import Path
 
 import matplotlib
@@ -13,7 +12,7 @@ matplotlib.use("Agg")
 import matplotlib.pyplot as plt  # noqa: E402
 import numpy as np  # noqa: E402
 from matplotlib.colors import LinearSegmentedColormap  # noqa: E402
-from measure import Run, broken, read_vtp  # noqa: E402
+from measure import Run, broken, options, read_vtp, refuse, run as run_script  # noqa: E402
 
 CASE = Path(__file__).resolve().parent
 SHADES = LinearSegmentedColormap.from_list("ice", ["0.62", "C1", "C3", "k"])
@@ -21,8 +20,10 @@ SHOWN, RAISED = 45.0, 3.5  # length of strip shown, and offset between frames [m
 
 
 def main():
-    run = Run(sys.argv[1])
+    run = Run(options(__doc__).parse_args().results)
     strip, theory, found = run.strip, run.theory(), broken(run)
+    if "crack [N/m]" not in found:
+        refuse(f"{run.folder}: no crack is through the strip.")
     pictures = [read_vtp(path) for path in run.pictures]
     loads = np.array([run.load(picture.time) for picture in pictures])
     edge = np.array([-run.mean(picture.point["displacement"][:, 2])[0] for picture in pictures])
@@ -58,4 +59,4 @@ def main():
 
 
 if __name__ == "__main__":
-    main()
+    run_script(main)

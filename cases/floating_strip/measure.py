@@ -6,7 +6,6 @@
 The deck has a body `ice` along x, its free edge at the lower end and loaded in its last column of particles by the boundary condition `load`.
 """
 
-import json
 import sys
 from pathlib import Path
 
@@ -15,6 +14,7 @@ from theory import Elements, Strip
 
 sys.path.insert(0, str(Path(__file__).resolve().parents[2] / "scripts/results"))
 from csv_reader import history  # noqa: E402
+from results_folder import options, refuse, report_of, run  # noqa: E402
 from vtp_reader import read_vtp, series  # noqa: E402
 
 CUT = 0.3  # damage of a particle at a crack: a plane through the lattice cuts 0.4 of the bonds of adjacent particles
@@ -25,7 +25,7 @@ class Run:
 
     def __init__(self, folder):
         self.folder = Path(folder)
-        self.report = json.loads((self.folder / "run.json").read_text())
+        self.report = report_of(self.folder)
         self.pictures = [file for _, file in series(self.folder, "ice")]
         places = read_vtp(self.pictures[0]).points.astype(float)
         body = self.report["setup"]["bodies"]["ice"]
@@ -134,13 +134,13 @@ def broken(run):
 
 
 def main():
-    run = Run(sys.argv[1])
-    strip, theory = run.strip, run.theory()
+    strip_run = Run(options(__doc__).parse_args().results)
+    strip, theory = strip_run.strip, strip_run.theory()
     print(f"theory: {strip.breaking_load / 1e3:.1f} kN/m with the load on the edge, {strip.breaking_distance:.1f} m from it")
-    print(f"        {theory.breaking_load(run.at) / 1e3:.1f} kN/m with the load in the last column, {theory.breaking_load(run.at, flooded=True) / 1e3:.1f} where water gets onto the ice")
-    for name, value in broken(run).items():
+    print(f"        {theory.breaking_load(strip_run.at) / 1e3:.1f} kN/m with the load in the last column, {theory.breaking_load(strip_run.at, flooded=True) / 1e3:.1f} where water gets onto the ice")
+    for name, value in broken(strip_run).items():
         print(f"{name:22}{value:.4g}")
 
 
 if __name__ == "__main__":
-    main()
+    run(main)

@@ -13,7 +13,7 @@ surface of an impactor, moved by this program in each step. The pulse enters as 
 Coefficients are ratios of impulses, the integrals of the pulse over time: those do not depend on dispersion, which lowers peaks.
 """
 
-import sys
+import argparse
 
 import dolfinx.fem.petsc  # noqa: F401
 import numpy as np
@@ -169,8 +169,11 @@ def coefficients(found):
 
 
 def main():
+    arguments = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
+    arguments.add_argument("ratios", metavar="RATIO", type=float, nargs="*", default=[1.0, 0.5])
+    given = arguments.parse_args()
     perimpact.use_threads(1)
-    for ratio in [float(word) for word in sys.argv[1:]] or [1.0, 0.5]:
+    for ratio in given.ratios:
         found = run(ratio)
         reflection, transmission, peak = coefficients(found)
         transmission *= ratio

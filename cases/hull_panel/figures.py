@@ -9,7 +9,7 @@ moving_load  deflection of the panel under a moving load, by finite elements and
 bars         the pulse in both bars
 """
 
-import sys
+import argparse
 from pathlib import Path
 
 import matplotlib
@@ -117,7 +117,9 @@ def draw_bars():
 
 
 def main():
-    results = Path(sys.argv[1])
+    arguments = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
+    arguments.add_argument("results", metavar="OUT", type=Path)
+    results = arguments.parse_args().results
     draw_impacts(results)
     draw_panel(results)
     draw_moving_load(results)

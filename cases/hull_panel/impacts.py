@@ -10,7 +10,7 @@ Writes OUT/<ice>_<panel>.npz with histories of force, deflection, stress and bal
 that has the force of a rigid panel.
 """
 
-import sys
+import argparse
 from pathlib import Path
 
 import numpy as np
@@ -197,8 +197,12 @@ def report(name, panel, found):
 
 
 def main():
+    arguments = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
+    arguments.add_argument("folder", metavar="OUT", type=Path)
+    arguments.add_argument("words", nargs="*", choices=[*ICE, "rigid", "modal", "finite", []], metavar="WORD", help="of the ice, or a panel; all where nothing is given")
+    given = arguments.parse_args()
     perimpact.use_threads(1)
-    folder, words = Path(sys.argv[1]), sys.argv[2:]
+    folder, words = given.folder, given.words
     folder.mkdir(parents=True, exist_ok=True)
     model = Model()
     for name in [word for word in words if word in ICE] or ICE:

@@ -6,7 +6,7 @@
 A quarter is computed. The plating is 0.5 t above and below z = 0, webs reach from its lower face to the flanges, whose middle is HEIGHT below z = 0.
 """
 
-import sys
+import argparse
 
 import numpy as np
 import scipy.sparse.linalg
@@ -72,7 +72,11 @@ def solve(along, per_bay, pressure=1e5):
 
 
 def main():
-    sizes = [int(word) for word in sys.argv[1:]] or [20, 4]
+    arguments = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
+    arguments.add_argument("along", metavar="ALONG", type=int, nargs="?", default=20)
+    arguments.add_argument("per_bay", metavar="PER_BAY", type=int, nargs="?", default=4)
+    given = arguments.parse_args()
+    sizes = given.along, given.per_bay
     plating, frame, mass, freedoms = solve(*sizes)
     print(f"solid, {sizes[0]} × {sizes[1]}: {freedoms} degrees of freedom in a quarter, {mass:.2f} kg, deflection {1e3 * plating:.4f} mm, of a frame {1e3 * frame:.4f} mm")
 

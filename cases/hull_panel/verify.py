@@ -5,7 +5,7 @@
     cases/hull_panel/verify.py moving.npz       also writes the curves of the moving load, for figures.py
 """
 
-import sys
+import argparse
 
 import numpy as np
 from panel import BAYS, BREADTH, DENSITY, FLANGE, HEIGHT, PLATING, POISSON, SAFETY, SPACING, WEB, YOUNG, ExplicitPanel, Model, grid, merged
@@ -138,6 +138,9 @@ def deviation(finite, modal):
 
 
 def main():
+    arguments = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
+    arguments.add_argument("file", nargs="?", help="moving.npz, for figures.py")
+    file = arguments.parse_args().file
     for count in (8, 16, 32):
         deflection, frequencies = check_plate(count)
         print(f"clamped plate, {count} elements a side: deflection {deflection:.4f}, frequencies {' '.join(f'{f:.4f}' for f in frequencies)} of thin-plate theory")
@@ -160,8 +163,8 @@ def main():
             shown = deflection
         print(f"    {count} modes, to {frequencies[count - 1] / 2 / np.pi:.0f} Hz: deflection differs by {100 * deviation(found['deflection'], deflection):.3f} %, stress by "
               f"{100 * deviation(found['stress'], stress):.2f} % of the largest")  # fmt: skip
-    if len(sys.argv) > 1:
-        np.savez_compressed(sys.argv[1], times=found["times"], finite=found["deflection"], modal=shown, points=model.points[: model.wet])
+    if file:
+        np.savez_compressed(file, times=found["times"], finite=found["deflection"], modal=shown, points=model.points[: model.wet])
 
 
 if __name__ == "__main__":

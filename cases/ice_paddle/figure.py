@@ -19,6 +19,7 @@ CASE = Path(__file__).resolve().parent
 sys.path.insert(0, str(CASE.parents[1] / "scripts/results"))
 from csv_reader import history  # noqa: E402
 from render import Scene  # noqa: E402
+from results_folder import options, run  # noqa: E402
 from vtp_reader import picture_at  # noqa: E402
 
 INSTANTS = 0.026, 0.029, 0.036  # [s] just before the impact of the blade, during cutting, and after
@@ -34,7 +35,7 @@ def picture(ice, paddle, feeder, fold=3):
 
 
 def main():
-    folder = Path(sys.argv[1])
+    folder = options(__doc__).parse_args().results
     column = history(folder)
     milliseconds = 1e3 * column["time [s]"]
 
@@ -60,4 +61,4 @@ def main():
 
 
 if __name__ == "__main__":
-    main()
+    run(main)

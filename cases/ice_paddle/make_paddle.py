@@ -6,6 +6,7 @@
 The parts overlap as parts from CAD often do: blade panels inside the hub do not count as surface.
 """
 
+import argparse
 import math
 
 HUB_RADIUS, HUB_LENGTH = 0.1, 0.2
@@ -73,6 +74,7 @@ def add_blade(mesh, angle):
                     mesh.panel(*corners)
 
 
+argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter).parse_args()
 mesh = Mesh()
 mesh.lines.append("g hub")
 add_hub(mesh)

@@ -13,7 +13,7 @@ matplotlib.use("Agg")
 import matplotlib.pyplot as plt  # noqa: E402
 import numpy as np  # noqa: E402
 from measure import (  # noqa: E402
-    DROP_RADIUS, EDGES, STRENGTH, TENSION, ball, bending, cap, centre_pressure, compression, drop, edge, indentation, iso_global, local_design, nested, punch, splitting, tension)  # fmt: skip
+    DROP_RADIUS, EDGES, STRENGTH, TENSION, ball, bending, cap, centre_pressure, compression, drop, edge, indentation, iso_global, local_design, nested, options, punch, run, splitting, tension)  # fmt: skip
 
 CASE = Path(__file__).resolve().parent
 sys.path.insert(0, str(CASE.parents[1] / "scripts/results"))
@@ -132,8 +132,8 @@ def edges_and_impacts(folder):
     return figure
 
 
-def main(folder):
-    folder = Path(folder)
+def main():
+    folder = options(__doc__).parse_args().results
     for draw in specimens, edges_and_impacts:
         figure = draw(folder)
         figure.tight_layout()
@@ -142,4 +142,4 @@ def main(folder):
 
 
 if __name__ == "__main__":
-    main(sys.argv[1])
+    run(main)

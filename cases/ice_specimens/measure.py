@@ -18,7 +18,6 @@ drop                   largest force over the area of the cap below the first su
 energy error           largest total.energy_balance_error over the external work
 """
 
-import csv
 import math
 import sys
 from pathlib import Path
@@ -26,6 +25,7 @@ from pathlib import Path
 import numpy as np
 
 sys.path.insert(0, str(Path(__file__).resolve().parent / "../../scripts/results"))
+from results_folder import Named, options, records, refuse, run  # noqa: E402
 from vtp_reader import picture_at  # noqa: E402
 
 STRENGTH = 2.3e6  # [Pa] of all decks but ball and drop
@@ -52,8 +52,11 @@ EDGES = {
 
 def history(folder):
     """Rows of history.csv by their headings without units."""
-    with open(Path(folder) / "history.csv", newline="") as file:
-        return [{key.split(" [")[0]: float(value) for key, value in row.items()} for row in csv.DictReader(file)]
+    return numbers(folder, "history.csv")
+
+
+def numbers(folder, table):
+    return [Named({key.split(" [")[0]: float(value) for key, value in row.items()}, row.owner) for row in records(folder, table)]
 
 
 def energy_error(rows, *works):
@@ -141,10 +144,8 @@ def stopping_time(folder):
 
 def crushing_pressure(folder):
     """[Pa] impulse until the ball's centre of mass stops over the integral of the contact area."""
-    with open(Path(folder) / "pressure_area/plate.csv", newline="") as file:
-        areas = [{key.split(" [")[0]: float(value) for key, value in row.items()} for row in csv.DictReader(file)]
     stop = stopping_time(folder)
-    loading = [row for row in areas if row["time"] <= stop]
+    loading = [row for row in numbers(folder, "pressure_area/plate.csv") if row["time"] <= stop]
     return sum(row["normal_force"] for row in loading) / sum(row["contact_area"] for row in loading)
 
 
@@ -176,8 +177,7 @@ def centre_pressure(folder, first, last):
 
 def nested(folder, name):
     """(area [m²], mean pressure [Pa]) over nested areas of panels, at the largest force."""
-    with open(Path(folder) / f"pressure_area/{name}_at_peak.csv", newline="") as file:
-        return [tuple(map(float, row)) for row in list(csv.reader(file))[1:]]
+    return [tuple(row.values()) for row in numbers(folder, f"pressure_area/{name}_at_peak.csv")]
 
 
 def iso_global(thickness, width, coefficient=2.8e6):
@@ -266,10 +266,14 @@ def output_setting(deck):
 
 def measure(folder):
     folder = Path(folder)
-    return of_prisms(folder) | of_indenters(folder) | of_impacts(folder)
+    return of_prisms(folder) | of_indenters(folder) | of_impacts(folder) or refuse(f"{folder} has no folder of results with the name of a deck of this case.")
+
+
+def main():
+    for path in options(__doc__, nargs="+").parse_args().results:
+        for name, value in measure(path).items():
+            print(f"{name:40}{value:.6g}")
 
 
 if __name__ == "__main__":
-    for path in sys.argv[1:]:
-        for name, value in measure(path).items():
-            print(f"{name:40}{value:.6g}")
+    run(main)

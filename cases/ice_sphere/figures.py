@@ -8,7 +8,6 @@ impulse   impulse over m v against the critical stretch, with the measured range
 crushed   force against time of ice that is crushed and of ice that fails in tension only, with the theory of a plastic sphere
 """
 
-import sys
 from pathlib import Path
 
 import matplotlib
@@ -16,7 +15,7 @@ import matplotlib
 matplotlib.use("Agg")
 import matplotlib.pyplot as plt  # noqa: E402
 import numpy as np  # noqa: E402
-from measure import RADIUS, WINDOW, hertz, measure, plate_force, window_mean  # noqa: E402
+from measure import RADIUS, WINDOW, hertz, measure, options, plate_force, run, window_means  # noqa: E402
 
 CASE = Path(__file__).resolve().parent
 MEASURED = 0.8, 1.12  # source: README.md
@@ -94,8 +93,8 @@ def draw_crushed(results):
         for name, label, colour in runs:
             times, steps, force, mass, speed, *_ = plate_force(results / name)
             first = np.flatnonzero(force > 0)[0]
-            middles = times - WINDOW / 2 - (times[first] - steps[first])
-            axis.plot(1e3 * middles, window_mean(times, force, steps, WINDOW) / 1e6, color=colour, label=label)
+            middles, means = window_means(times, force, WINDOW)
+            axis.plot(1e3 * (middles - times[first] + steps[first]), means / 1e6, color=colour, label=label)
         for multiple, style in ((1, ":"), (3, "--")):
             theory = plastic_sphere(mass, speed, multiple * STRENGTH, 20e-3)
             axis.plot(1e3 * theory[0], theory[1] / 1e6, color="#555555", lw=0.9, ls=style, label=f"plastic sphere, p$_c$ = {multiple if multiple > 1 else ''} σ$_c$")
@@ -107,11 +106,11 @@ def draw_crushed(results):
 
 
 def main():
-    results = Path(sys.argv[1])
+    results = options(__doc__).parse_args().results
     draw_hertz(results)
     draw_impulse(results)
     draw_crushed(results)
 
 
 if __name__ == "__main__":
-    main()
+    run(main)

@@ -17,7 +17,6 @@ over Hertz    peak and duration over those of Hertz contact of the same ice with
               Mechanics, 1985, section 11.4). m is the mass of the particles.
 """
 
-import json
 import sys
 from pathlib import Path
 
@@ -25,6 +24,8 @@ import numpy as np
 
 sys.path.insert(0, str(Path(__file__).resolve().parents[2] / "scripts/results"))
 from csv_reader import history  # noqa: E402
+from interval_means import window_means  # noqa: E402
+from results_folder import options, refuse, report_of, run  # noqa: E402
 
 YOUNG, POISSON, RADIUS = 1.8e9, 0.25, 0.5  # [Pa] [-] [m]
 WINDOW = 1e-3  # [s]
@@ -41,31 +42,26 @@ def plate_force(folder):
     """Ends of the rows [s], their lengths [s], mean normal force on the plate in each [N], mass [kg] and speed [m/s] of the ice at t = 0, run.json, and
     the columns of history.csv."""
     column = history(folder)
-    run = json.loads((Path(folder) / "run.json").read_text())
-    velocity = np.array(run["setup"]["bodies"]["ice"]["velocity"])
+    report = report_of(folder)
+    velocity = np.array(report["setup"]["bodies"]["ice"]["velocity"])
     speed = np.linalg.norm(velocity)
     force = np.column_stack([column[f"plate.force_{axis} [N]"] for axis in "xyz"]) @ velocity / speed
+    if not (force > 0).any():
+        refuse(f"{column.owner}: the ice does not touch the plate.")
     times = column["time [s]"]
-    return times, np.diff(times, prepend=0), force, run["bodies"]["ice"]["mass [kg]"], speed, run, column
-
-
-def window_mean(times, force, steps, window):
-    """Mean force [N] over the window [s] that ends at each row."""
-    impulse = np.concatenate([[0], np.cumsum(force * steps)])
-    ends = np.concatenate([[0], times])
-    return (impulse[1:] - np.interp(times - window, ends, impulse)) / window
+    return times, np.diff(times, prepend=0), force, report["bodies"]["ice"]["mass [kg]"], speed, report, column
 
 
 def measure(folder):
-    times, steps, force, mass, speed, run, column = plate_force(folder)
+    times, steps, force, mass, speed, report, column = plate_force(folder)
     in_contact = np.flatnonzero(force > 0)
     hertz_force, hertz_duration, _ = hertz(mass, speed)
     begin = times[in_contact[0]] - steps[in_contact[0]]
     duration = times[in_contact[-1]] - begin
-    body = run["bodies"]["ice"]
+    body = report["bodies"]["ice"]
     intact = body["intact_bonds"] == body["bonds"]
-    smooth = window_mean(times, force, steps, WINDOW)
-    smooth_at = times[smooth.argmax()] - WINDOW / 2 - begin
+    middles, smooth = window_means(times, force, WINDOW)
+    smooth_at = middles[smooth.argmax()] - begin
     kinetic = 0.5 * mass * speed**2
     found = {
         "impulse [-]": (force * steps).sum() / (mass * speed),
@@ -94,8 +90,12 @@ def measure(folder):
     return found
 
 
-if __name__ == "__main__":
-    for folder in sys.argv[1:]:
+def main():
+    for folder in options(__doc__, nargs="+").parse_args().results:
         print(folder)
         for name, value in measure(folder).items():
             print(f"    {name:<37}{'–' if value is None else f'{value:.7g}'}")
+
+
+if __name__ == "__main__":
+    run(main)

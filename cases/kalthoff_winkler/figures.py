@@ -15,7 +15,7 @@ import matplotlib
 matplotlib.use("Agg")
 import matplotlib.pyplot as plt  # noqa: E402
 import numpy as np  # noqa: E402
-from measure import FAR, LEFT, RIGHT, TIP, angle, crack, frames, length  # noqa: E402
+from measure import FAR, LEFT, RIGHT, TIP, angle, crack, frames, length, options, refuse, run  # noqa: E402
 
 CASE = Path(__file__).resolve().parent
 sys.path.insert(0, str(CASE.parents[1] / "scripts/results"))
@@ -55,7 +55,7 @@ def notches(axis):
 def course(folder, path):
     """The cracks at four instants, and the angle in the frame in which it is measured."""
     pictures = list(frames(folder))
-    measured = next(plate for _, *plate in pictures if length(crack(*plate, RIGHT)) > FAR)
+    measured = next((plate for _, *plate in pictures if length(crack(*plate, RIGHT)) > FAR), None) or refuse(f"{folder}: no crack is {1e3 * FAR:g} mm long.")
     figure, axes = plt.subplots(2, 2, figsize=(10, 5.4), sharex=True, sharey=True, layout="constrained")
     for axis, wanted in zip(axes.flat, INSTANTS):
         time, points, damage = min(pictures, key=lambda picture: abs(picture[0] - wanted))
@@ -78,6 +78,8 @@ def variants(folders, path):
         for time, points, damage in frames(Path(folder)):
             if length(crack(points, damage, RIGHT)) > FAR:
                 break
+        else:
+            refuse(f"{folder}: no crack is {1e3 * FAR:g} mm long.")
         map_ = draw(axis, *layer(points, damage))
         notches(axis)
         axis.set_title(f"critical stretch {name}: {np.mean([angle(crack(points, damage, side)) for side in (LEFT, RIGHT)]):.1f}°, at {1e6 * time:.0f} µs",
@@ -87,12 +89,17 @@ def variants(folders, path):
 
 
 def main():
+    parser = options(__doc__, nargs="?")
+    parser.add_argument("--variants", nargs="+", type=lambda word: tuple(word.split("=", 1)), metavar="STRETCH=RESULTS")
+    given = parser.parse_args()
+    if (given.results is None) == (given.variants is None) or not all(len(variant) == 2 for variant in given.variants or ()):
+        parser.error("give RESULTS, or --variants STRETCH=RESULTS …")
     (CASE / "figures").mkdir(exist_ok=True)
-    if sys.argv[1] == "--variants":
-        variants([variant.split("=", 1) for variant in sys.argv[2:]], CASE / "figures/critical_stretch.png")
+    if given.variants:
+        variants(given.variants, CASE / "figures/critical_stretch.png")
     else:
-        course(Path(sys.argv[1]), CASE / "figures/kalthoff_winkler.png")
+        course(given.results, CASE / "figures/kalthoff_winkler.png")
 
 
 if __name__ == "__main__":
-    main()
+    run(main)

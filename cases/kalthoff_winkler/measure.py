@@ -25,6 +25,7 @@ import numpy as np
 CASE = Path(__file__).resolve().parent
 sys.path.insert(0, str(CASE.parents[1] / "scripts/results"))
 from csv_reader import history  # noqa: E402
+from results_folder import options, refuse, run  # noqa: E402
 from vtp_reader import pictures  # noqa: E402
 
 DAMAGED = 0.35
@@ -108,8 +109,12 @@ def measure(folder):
     }
 
 
-if __name__ == "__main__":
-    for folder in map(Path, sys.argv[1:]):
+def main():
+    for folder in options(__doc__, nargs="+").parse_args().results:
         print(folder)
         for name, value in measure(folder).items():
             print(f"    {name:<36}{'–' if value is None else f'{value:.4g}'}")
+
+
+if __name__ == "__main__":
+    run(main)

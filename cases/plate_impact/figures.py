@@ -7,7 +7,6 @@ Folders named panel_<size>mm are labelled with their panel size, `analytic` as t
 Missing data are reported, and the figures that need them are skipped. Needs numpy and matplotlib.
 """
 
-import argparse
 import sys
 from pathlib import Path
 
@@ -18,7 +17,8 @@ import matplotlib.pyplot as plt
 import numpy as np
 from hero import draw_hero
 from matplotlib.collections import PolyCollection
-from results import Results, middle_layer, read_columns
+from results import Results, middle_layer, read_columns  # which makes scripts/results importable
+from results_folder import Missing, options
 
 HERE = Path(__file__).parent
 END = 200e-6  # [s]
@@ -194,8 +194,7 @@ FIGURES = {
 
 
 def main():
-    arguments = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
-    arguments.add_argument("results", nargs="+", type=Path)
+    arguments = options(__doc__, nargs="+")
     arguments.add_argument("--out", type=Path, default=HERE / "figures")
     arguments.add_argument("--only", nargs="+", default=[], metavar="FIGURE", help=f"of {', '.join(FIGURES)}")
     given = arguments.parse_args()
@@ -209,7 +208,7 @@ def main():
         try:
             draw(runs, given.out / f"{name}.png")
             print(f"{given.out / name}.png: {draw.__doc__.splitlines()[0]}")
-        except (FileNotFoundError, KeyError, StopIteration, IndexError) as lacking:
+        except (Missing, StopIteration, IndexError) as lacking:
             left_out += 1
             print(f"{name} left out: {lacking or 'no run for it'}", file=sys.stderr)
         plt.close("all")

@@ -8,7 +8,7 @@ reference_fem_line_y.csv (displacements along the central lines at the end) into
     /usr/bin/python3 reference_fem.py .      # ten seconds
 """
 
-import sys
+import argparse
 from pathlib import Path
 
 import numpy as np
@@ -85,7 +85,9 @@ def write(path, columns, rows):
 
 
 def main():
-    folder = Path(sys.argv[1])
+    arguments = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
+    arguments.add_argument("folder", type=Path)
+    folder = arguments.parse_args().folder
     rows, plate, (i, j) = run()
     write(folder / "reference_fem.csv", ["time [s]", "cylinder.position_y [m]", "cylinder.velocity_y [m/s]", "cylinder.force_y [N]", "centre.displacement_y [m]"], rows)
     columns = ["position_x [m]", "position_y [m]", "displacement_x [m]", "displacement_y [m]"]

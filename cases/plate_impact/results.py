@@ -9,6 +9,7 @@ import numpy as np
 
 sys.path.insert(0, str(Path(__file__).resolve().parents[2] / "scripts/results"))
 from csv_reader import history, read_columns  # noqa: E402
+from results_folder import file_in, refuse  # noqa: E402
 from vtp_reader import picture_at, read_vtp  # noqa: E402
 
 
@@ -30,7 +31,7 @@ class Results:
         """The profile written nearest to that time [s]."""
         files = {float(file.stem.rsplit("_t", 1)[1]): file for file in (self.folder / "lines").glob(f"{name}_t*.csv")}
         if not files:
-            raise FileNotFoundError(f"{self.folder}/lines/{name}_t*.csv: no such profile")
+            refuse(f"{self.folder} has no lines/{name}_t*.csv; run the deck with the line {name}.")
         return read_columns(files[min(files, key=lambda t: abs(t - time))])
 
     def frame(self, name, time):
@@ -39,7 +40,7 @@ class Results:
 
     def checked(self, name):
         """A frame of the set-up, written by `perimpact check`."""
-        return read_vtp(self.folder / "check" / f"{name}.vtp")
+        return read_vtp(file_in(self.folder, f"check/{name}.vtp"))
 
 
 def middle_layer(picture):

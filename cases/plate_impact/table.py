@@ -7,18 +7,15 @@ Prints every number that lies outside its tolerance of expected.csv. Needs numpy
 """
 
 import csv
-import json
 import re
-import sys
 from pathlib import Path
 
 import numpy as np
-from results import read_columns
+from results import history as history_of  # which makes scripts/results importable
+from page_table import write_table
+from results_folder import options, report_of, run
 
 HERE = Path(__file__).resolve().parent
-sys.path.insert(0, str(HERE / "../../scripts/results"))
-from page_table import write_table  # noqa: E402
-
 RADIUS = 25e-3  # [m] of the cylinder
 
 # folder of the results: its name in the README
@@ -129,15 +126,15 @@ def panel_table(histories):
 def detection_table(results):
     lines = ["| detector | particle-steps in the contact bounds | tested | pairs of particle and panel |", "|---|---|---|---|"]
     for name, called in DETECTION.items():
-        effort = json.loads((results / name / "run.json").read_text())["impactors"]["cylinder"]["detection"]["plate"]
+        effort = report_of(results / name)["impactors"]["cylinder"]["detection"]["plate"]
         counts = [effort[key] for key in ("points_in_bounds", "points_tested", "panels_tested")]
         lines.append(f"| {called} | " + " | ".join(f"{count:,}".replace(",", " ") for count in counts) + " |")
     return lines
 
 
 def main():
-    results = Path(sys.argv[1] if len(sys.argv) > 1 else "results/plate_impact")
-    histories = {name: read_columns(results / name / "history.csv") for name in VARIANTS}
+    results = options(__doc__, nargs="?", default=Path("results/plate_impact")).parse_args().results
+    histories = {name: history_of(results / name) for name in VARIANTS}
     page = HERE / "README.md"
     text = page.read_text()
     text = write_table(text, "variants", main_table(histories, read_expected()))
@@ -148,4 +145,4 @@ def main():
 
 
 if __name__ == "__main__":
-    main()
+    run(main)

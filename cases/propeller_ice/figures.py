@@ -10,17 +10,13 @@ fragments  the fragments at the end for four critical stretches
 crushed    thrust on crushable ice, on ice that is crushed in contact and on ice that fails in tension only, and their fragments at the end
 """
 
-import sys
-from pathlib import Path
-
 import matplotlib
 
 matplotlib.use("Agg")
 import matplotlib.pyplot as plt  # noqa: E402
 import numpy as np  # noqa: E402
 from matplotlib.colors import LinearSegmentedColormap, to_rgb  # noqa: E402
-from measure import BLADES, CASE, WINDOW, mean_over, pictures, report  # noqa: E402  which makes scripts/results importable
-from csv_reader import history  # noqa: E402
+from measure import BLADES, CASE, WINDOW, history, options, pictures, report_of, run, window_means  # noqa: E402  which makes scripts/results importable
 from render import Scene  # noqa: E402
 
 SAND, LINE, BOUNDS = np.array([0.84, 0.74, 0.52]), (0.45, 0.38, 0.24), "#2a6fb0"
@@ -58,7 +54,7 @@ def save(figure, name):
 
 def fig21(folder):
     _, screw = at(folder, "propeller", 0)
-    bounds = report(folder)["impactors"]["propeller"]["contact_bounds"]
+    bounds = report_of(folder)["impactors"]["propeller"]["contact_bounds"]
     figure, axes = plt.subplots(1, 2, figsize=(10.4, 5.2))
     view = {"direction": (0.75, -0.5, 0.35), "up": (0, 0, 1)}
     for axis, title in zip(axes, ("11 704 panels, finer along edges and tips", "contact bounds: cylinder with four sectors, fitted")):
@@ -109,20 +105,19 @@ def fig22(folder):
 
 def forces(folder):
     column = history(folder)
-    times = column["time [s]"]
-    steps = np.diff(times, prepend=0)
 
     def mean(what):
-        return mean_over(times, column[f"propeller.{what}"] * steps, WINDOW) / 1e6
+        middles, means = window_means(column["time [s]"], column[f"propeller.{what}"], WINDOW)
+        return 1e3 * middles, means / 1e6
 
     figure, axes = plt.subplots(3, 1, figsize=(10, 7), sharex=True, layout="constrained")
-    axes[0].plot(1e3 * times, mean("shaft.force_x [N]"), color="#b3312c")
+    axes[0].plot(*mean("shaft.force_x [N]"), color="#b3312c")
     axes[0].set_ylabel("thrust [MN]\n(+: ahead)")
-    axes[1].plot(1e3 * times, mean("shaft.torque [N m]"), color="#b3312c")
+    axes[1].plot(*mean("shaft.torque [N m]"), color="#b3312c")
     axes[1].set_ylabel("torque [MN m]\n(+: brakes)")
     for blade in BLADES:
         colour, label = ("#b3312c", "blade 4") if blade == 4 else ("#7c8ba1", "blades 1 to 3" if blade == 1 else None)
-        axes[2].plot(1e3 * times, mean(f"blade_{blade}.torque [N m]"), color=colour, label=label)
+        axes[2].plot(*mean(f"blade_{blade}.torque [N m]"), color=colour, label=label)
     axes[2].set(xlabel="time [ms]", ylabel="spindle torque\n[MN m]", xlim=(4, 20))
     axes[2].legend(frameon=False)
     for axis in axes:
@@ -164,9 +159,8 @@ def crushed(results):
             ("crushed_in_contact", "crushed in contact", "#77bb88"), ("crushed_in_contact_fine", "crushed in contact, 40 across", "#1b6b36"))  # fmt: skip
     for name, label, colour in runs:
         column = history(results / name)
-        times = column["time [s]"]
-        impulses = column["propeller.shaft.force_x [N]"] * np.diff(times, prepend=0)
-        axes[0].plot(1e3 * times, mean_over(times, impulses, WINDOW) / 1e6, color=colour, label=label)
+        middles, thrust = window_means(column["time [s]"], column["propeller.shaft.force_x [N]"], WINDOW)
+        axes[0].plot(1e3 * middles, thrust / 1e6, color=colour, label=label)
     axes[0].set(xlabel="time [ms]", ylabel="thrust, mean over 1 ms [MN]", xlim=(4, 19))
     axes[0].grid(alpha=0.25)
     axes[0].legend(frameon=False, fontsize=9)
@@ -178,7 +172,7 @@ def crushed(results):
 
 
 def main():
-    results = Path(sys.argv[1])
+    results = options(__doc__).parse_args().results
     fig21(results / "deck")
     forces(results / "deck")
     fig22(results / "deck")
@@ -187,4 +181,4 @@ def main():
 
 
 if __name__ == "__main__":
-    main()
+    run(main)

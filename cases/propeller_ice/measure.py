@@ -14,8 +14,6 @@ drift            largest change of the total linear momentum over the initial mo
 energy           largest energy balance error, plastic dissipation, and that of crushing in contact, all over the initial kinetic energy of the ice
 """
 
-import csv
-import json
 import sys
 from pathlib import Path
 
@@ -24,51 +22,41 @@ import numpy as np
 CASE = Path(__file__).resolve().parent
 sys.path.insert(0, str(CASE.parents[1] / "scripts/results"))
 from csv_reader import history  # noqa: E402
+from interval_means import impulses, window_means  # noqa: E402
+from results_folder import options, records, refuse, report_of, run  # noqa: E402
 from vtp_reader import pictures  # noqa: E402
 
 WINDOW = 1e-3  # [s] of the peaks
 BLADES = 1, 2, 3, 4
 
 
-def report(folder):
-    return json.loads((Path(folder) / "run.json").read_text())
-
-
 # ---- forces
-
-
-def mean_over(times, impulses, window):
-    """Mean force over the window that ends at each row [N], from the impulses between rows."""
-    total = np.concatenate([[0], np.cumsum(impulses)])
-    ends = np.concatenate([[times[0]], times])
-    return (total[1:] - np.interp(times - window, ends, total)) / window
 
 
 def forces(column):
     times = column["time [s]"]
-    steps = np.diff(times, prepend=0)
-    thrust = column["propeller.shaft.force_x [N]"] * steps
-    passed = np.cumsum(thrust) / thrust.sum()
-    duration = np.diff(np.interp([0.05, 0.95], passed, times))[0]
-    found = {"thrust: impulse [N s]": thrust.sum(), "thrust: duration [s]": duration}
+    thrust = impulses(times, column["propeller.shaft.force_x [N]"])
+    if thrust[-1] == 0:
+        refuse(f"{column.owner}: the ice does not touch the propeller.")
+    duration = np.diff(np.interp([0.05, 0.95], thrust / thrust[-1], times))[0]
+    found = {"thrust: impulse [N s]": thrust[-1], "thrust: duration [s]": duration}
     named = {"thrust": "shaft.force_x [N]", "torque": "shaft.torque [N m]"}
     named |= {f"spindle torque {blade}": f"blade_{blade}.torque [N m]" for blade in BLADES}
     for name, what in named.items():
-        means = mean_over(times, column[f"propeller.{what}"] * steps, WINDOW)
+        _, means = window_means(times, column[f"propeller.{what}"], WINDOW)
         found[f"{name}: peak {what[what.index('['):]}"] = means[np.argmax(np.abs(means))]
         if name in ("thrust", "torque"):
-            found[f"{name}: mean {what[what.index('['):]}"] = 0.9 * (column[f"propeller.{what}"] * steps).sum() / duration
+            found[f"{name}: mean {what[what.index('['):]}"] = 0.9 * impulses(times, column[f"propeller.{what}"])[-1] / duration
     return found
 
 
 # ---- fragments
 
 
-def fragments(folder, run):
-    body = run["bodies"]["ice"]
+def fragments(folder, report):
+    body = report["bodies"]["ice"]
     mass, fragments = body["mass [kg]"], body["fragments"]
-    with open(Path(folder) / "fragments/ice_end.csv", newline="") as file:
-        shares = [float(row["mass [kg]"]) / mass for row in csv.DictReader(file)]
+    shares = [float(row["mass [kg]"]) / mass for row in records(folder, "fragments/ice_end.csv")]
     return {
         "fragments above 1 % of the mass [-]": fragments["above_1_percent"],
         "largest fragment [-]": fragments["largest [kg]"] / mass,
@@ -161,25 +149,25 @@ def momentum(column):
     return np.linalg.norm(total - total[0], axis=1).max()
 
 
-def cost(run):
-    detection = run["impactors"]["propeller"]["detection"]["ice"]
+def cost(report):
+    detection = report["impactors"]["propeller"]["detection"]["ice"]
     return {
-        "contact bounds": run["impactors"]["propeller"]["contact_bounds"]["kind"],
+        "contact bounds": report["impactors"]["propeller"]["contact_bounds"]["kind"],
         "points in the bounds [-]": detection["points_in_bounds"],
         "points tested [-]": detection["points_tested"],
         "panels tested [-]": detection["panels_tested"],
-        "contact [s]": run["timers [s]"]["contact"],
-        "state": run["state_hash"],
+        "contact [s]": report["timers [s]"]["contact"],
+        "state": report["state_hash"],
     }
 
 
 def measure(folder):
-    run, column = report(folder), history(folder)
-    found = forces(column) | fragments(folder, run) | energy(column) | inside(folder)
-    if len(run["setup"]["impactors"]["propeller"]["free_dofs"]) == 6:
-        ice = run["bodies"]["ice"]["mass [kg]"] * np.linalg.norm(run["setup"]["bodies"]["ice"]["velocity"])
+    report, column = report_of(folder), history(folder)
+    found = forces(column) | fragments(folder, report) | energy(column) | inside(folder)
+    if len(report["setup"]["impactors"]["propeller"]["free_dofs"]) == 6:
+        ice = report["bodies"]["ice"]["mass [kg]"] * np.linalg.norm(report["setup"]["bodies"]["ice"]["velocity"])
         found["drift [-]"] = momentum(column) / ice
-    return found | cost(run)
+    return found | cost(report)
 
 
 def show(title, values):
@@ -188,6 +176,10 @@ def show(title, values):
         print(f"    {name:<36}{value if isinstance(value, (str, int)) else f'{value:.5g}'}", flush=True)
 
 
-if __name__ == "__main__":
-    for folder in sys.argv[1:]:
+def main():
+    for folder in options(__doc__, nargs="+").parse_args().results:
         show(folder, measure(folder))
+
+
+if __name__ == "__main__":
+    run(main)

@@ -4,11 +4,9 @@
     /usr/bin/python3 table.py [RESULTS]          default: results/propeller_ice
 """
 
-import sys
 from pathlib import Path
 
-import numpy as np
-from measure import cost, energy, forces, fragments, history, report  # which makes scripts/results importable
+from measure import cost, energy, forces, fragments, history, impulses, options, report_of, run  # which makes scripts/results importable
 from page_table import write_table
 
 HERE = Path(__file__).parent
@@ -61,8 +59,8 @@ def kilo(value):
 
 
 def numbers(results, name):
-    run, column = report(results / name), history(results / name)
-    return forces(column) | fragments(results / name, run) | energy(column)
+    column = history(results / name)
+    return forces(column) | fragments(results / name, report_of(results / name)) | energy(column)
 
 
 def head(*titles):
@@ -103,12 +101,12 @@ def coarse_by_then(results):
     """The runs of 20 across at the end of those of 40 across."""
     lines = head("20 across", "at [ms]", "bonds broken", "thrust's impulse [kN s]", "plastic dissipation", "dissipated by crushing in contact")
     for name in ("crushed", "crushed_in_contact"):
-        run, column = report(results / name), history(results / name)
+        column = history(results / name)
         times = column["time [s]"]
         until = times <= history(results / f"{name}_fine")["time [s]"][-1]
         column = {key: values[until] for key, values in column.items()}
-        impulse = (column["propeller.shaft.force_x [N]"] * np.diff(column["time [s]"], prepend=0)).sum()
-        found, broken = energy(column), column["ice.broken_bonds [-]"][-1] / run["bodies"]["ice"]["bonds"]
+        impulse = impulses(column["time [s]"], column["propeller.shaft.force_x [N]"])[-1]
+        found, broken = energy(column), column["ice.broken_bonds [-]"][-1] / report_of(results / name)["bodies"]["ice"]["bonds"]
         lines.append("| " + " | ".join([CRUSHED[name].replace("*", ""), f"{1e3 * column['time [s]'][-1]:.2f}", share(broken), kilo(impulse),
                                         *(f"{found[key]:.2f}" if key in found else "" for key in DISSIPATIONS)]) + " |")  # fmt: skip
     return lines
@@ -130,17 +128,18 @@ def bounds(results):
     lines = head("contact bounds", "volume/bounding box", "particle-steps in the bounds", "tested", "pairs of particle and panel")
     states = set()
     for name, title in BOUNDS.items():
-        run = report(results / name)
-        volume = run["impactors"]["propeller"]["contact_bounds"].get("share_of_bounding_box")
-        counts = [f"{cost(run)[key]:,}".replace(",", " ") for key in ("points in the bounds [-]", "points tested [-]", "panels tested [-]")]
+        report = report_of(results / name)
+        volume = report["impactors"]["propeller"]["contact_bounds"].get("share_of_bounding_box")
+        counts = [f"{cost(report)[key]:,}".replace(",", " ") for key in ("points in the bounds [-]", "points tested [-]", "panels tested [-]")]
         lines.append(f"| {title} | {'–' if volume is None else share(volume)} | " + " | ".join(counts) + " |")
-        states.add(cost(run)["state"])
-    if len(states | {report(results / "bounds_auto")["state_hash"]}) > 1:
+        states.add(cost(report)["state"])
+    if len(states | {report_of(results / "bounds_auto")["state_hash"]}) > 1:
         print("The runs with different contact bounds end in different states.")
     return lines
 
 
-def main(results):
+def main():
+    results = options(__doc__, nargs="?", default=Path("results/propeller_ice")).parse_args().results
     page = HERE / "README.md"
     text = page.read_text(encoding="utf-8")
     for name, table in (("fragmentation", fragmentation), ("crushed", crushed), ("by then", coarse_by_then), ("sensitivity", sensitivity), ("bounds", bounds)):
@@ -149,4 +148,4 @@ def main(results):
 
 
 if __name__ == "__main__":
-    main(Path(sys.argv[1] if len(sys.argv) > 1 else "results/propeller_ice"))
+    run(main)

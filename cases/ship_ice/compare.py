@@ -4,18 +4,16 @@
 RESULTS: folder that variants.sh filled. Prints a table, and draws figures/variants.png: F_x on the bow against the travel since first contact.
 """
 
-import sys
 from pathlib import Path
 
 import matplotlib
 
 matplotlib.use("Agg")
 import matplotlib.pyplot as plt  # noqa: E402
-from measure import loads_of, measure, report_of, travel_in_ice, window_means  # noqa: E402
+import numpy as np  # noqa: E402
+from measure import history, loads_of, measure, options, report_of, run, travel_in_ice, window_means  # noqa: E402
 
 HERE = Path(__file__).resolve().parent
-sys.path.insert(0, str(HERE / "../../scripts/results"))
-from csv_reader import history  # noqa: E402
 
 PANELS = {
     "contact": {"deck": "deck.yaml, crushed at 2.3 MPa", "crushing_1.15": "1.15 MPa", "crushing_4.6": "4.6 MPa", "rigid": "rigid"},
@@ -36,10 +34,10 @@ def table(folders):
     print("| run | particles | largest F_x before 4.6 m [MN] | mean of F_x [kN] | largest mean over a second [kN] | load peaks | bonds broken | energy balance error over the work |")
     print("|---|---|---|---|---|---|---|---|")
     for folder in folders:
-        run, particles = measure(folder), report_of(folder)["bodies"]["sheet"]["particles"]
+        found, particles = measure(folder), report_of(folder)["bodies"]["sheet"]["particles"]
         number = f"{particles:,}".replace(",", "\u202f")
-        print(f"| `{folder.name}` | {number} | {run['first peak'] / 1e6:.2f} | {run['mean of all'] / 1e3:.0f} | {run['largest 1 s'] / 1e3:.0f} | {loads_of(run)}"
-              f" | {100 * run['broken']:.1f} % | {run['closing']:.0e} |")
+        print(f"| `{folder.name}` | {number} | {found['first peak'] / 1e6:.2f} | {found['mean of all'] / 1e3:.0f} | {found['largest 1 s'] / 1e3:.0f} | {loads_of(found)}"
+              f" | {100 * found['broken']:.1f} % | {found['closing']:.0e} |")
 
 
 def draw(results, file):
@@ -48,10 +46,9 @@ def draw(results, file):
         first = next(iter(runs.values()))
         for name, label in runs.items():
             rows = history(results / name)
-            way = travel_in_ice(rows)
-            speed = (way[-1] - way[0]) / (rows["time [s]"][-1] - rows["time [s]"][0])
-            smooth = window_means(rows["time [s]"], rows["ship.bow.force_x [N]"] / 1e6, MEAN_OVER / speed)
-            axis.plot(way[: len(smooth)] + MEAN_OVER / 2, smooth, label=label, color="#20506e" if label == first else None, linewidth=1.8 if label == first else 1.2)
+            time, way = rows["time [s]"], travel_in_ice(rows)
+            middles, means = window_means(time, rows["ship.bow.force_x [N]"] / 1e6, MEAN_OVER * np.ptp(time) / np.ptp(way))
+            axis.plot(np.interp(middles, time, way), means, label=label, color="#20506e" if label == first else None, linewidth=1.8 if label == first else 1.2)
         axis.set_ylabel("F_x [MN]"), axis.set_xlim(0, None), axis.set_ylim(0, None)
         axis.set_title(title, fontsize=10), axis.legend(fontsize=8)
     axes[-1].set_xlabel("travel since first contact [m]")
@@ -60,10 +57,10 @@ def draw(results, file):
 
 
 def main():
-    results = Path(sys.argv[1])
+    results = options(__doc__).parse_args().results
     table([results / name for name in dict.fromkeys(name for runs in PANELS.values() for name in runs)])
     draw(results, HERE / "figures" / "variants.png")
 
 
 if __name__ == "__main__":
-    main()
+    run(main)

@@ -5,13 +5,13 @@ The energy balance between two rows of history.csv, divided by the travel betwee
 Together they are the mean of F_x of contact over the travel.
 """
 
-import argparse
 import re
 import sys
 from pathlib import Path
 
 sys.path.insert(0, str(Path(__file__).resolve().parent / "../../scripts/results"))
 from csv_reader import history  # noqa: E402
+from results_folder import options, refuse, run  # noqa: E402
 
 CRUSHING = r".*\.crushing_dissipation"
 CONTRIBUTIONS = {  # docs/theory/energy.md; the columns of a body are summed over all bodies; sign: of energy that the ice gains
@@ -33,9 +33,12 @@ def contributions(rows, begin, end):
     """Name → [kN] of the rows from `begin` to `end` [s], the mean of F_x of the ship [kN], and its travel [m]."""
     chosen = [k for k, time in enumerate(rows["time [s]"]) if begin <= time <= end]
     if len(chosen) < 2:
-        sys.exit(f"history.csv has fewer than two rows from {begin:g} to {end:g} s.")
+        refuse(f"history.csv has fewer than two rows from {begin:g} to {end:g} s.")
     change = {name.split(" [")[0]: column[chosen[-1]] - column[chosen[0]] for name, column in rows.items()}
-    travel = abs(change["ship.position_x"])
+    begins, ends = rows["ship.position_x [m]"][[chosen[0], chosen[-1]]]
+    if begins == ends:
+        refuse(f"the ship does not move from {begin:g} to {end:g} s.")
+    travel = abs(ends - begins)
 
     def sum_of(patterns):
         return sum(sign * value for pattern, sign in patterns.items() for column, value in change.items() if re.fullmatch(pattern, column))
@@ -45,8 +48,7 @@ def contributions(rows, begin, end):
 
 
 def main():
-    arguments = argparse.ArgumentParser(description=__doc__.splitlines()[0])
-    arguments.add_argument("results", type=Path)
+    arguments = options(__doc__)
     arguments.add_argument("--from", dest="begin", type=float, default=0, help="[s]")
     arguments.add_argument("--to", dest="end", type=float, default=float("inf"), help="[s]")
     given = arguments.parse_args()
@@ -58,4 +60,4 @@ def main():
 
 
 if __name__ == "__main__":
-    main()
+    run(main)

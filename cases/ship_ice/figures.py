@@ -5,8 +5,6 @@ RESULTS: folder of a finished run (default: results/ship_ice). --of: its deck: d
 --check: folder with the surfaces and contact bounds written by `perimpact check`; then only the bow and its contact bounds are drawn.
 """
 
-import argparse
-import sys
 from pathlib import Path
 
 import matplotlib
@@ -14,14 +12,10 @@ import matplotlib
 matplotlib.use("Agg")
 import matplotlib.pyplot as plt  # noqa: E402
 import numpy as np  # noqa: E402
-from measure import window_means  # noqa: E402
+from measure import history, mean, options, read_vtp, run, series, window_means  # noqa: E402  which makes scripts/results importable
+from ship_in_ice import corners_of, draw_damage, draw_scenes  # noqa: E402
 
 HERE = Path(__file__).resolve().parent
-sys.path.insert(0, str(HERE / "../../scripts/results"))
-from csv_reader import history  # noqa: E402
-from ship_in_ice import corners_of, draw_damage, draw_scenes  # noqa: E402
-from vtp_reader import read_vtp, series  # noqa: E402
-
 PAPER_TIMES = 18.8, 37.6, 56.4, 75.2  # [s] of figure 19
 
 
@@ -32,9 +26,8 @@ def draw_forces(folder, file):
     for axis, name, words in zip(axes, "xz", ("F_x, resistance", "F_z, upwards")):
         force = rows[f"ship.force_{name} [N]"] / 1e6
         axis.fill_between(time, force, color="#a9c9e0", step="pre", label=f"rows of history.csv, {time[2] - time[1]:.3g} s")
-        smooth = window_means(time, force, 1.0)
-        axis.plot(time[: len(smooth)] + 0.5, smooth, color="#b3312c", linewidth=1.6, label="mean over 1 s")
-        axis.axhline(force[time > 4].mean(), color="#20506e", linestyle="--", linewidth=1, label="mean from 4 s on")
+        axis.plot(*window_means(time, force, 1.0), color="#b3312c", linewidth=1.6, label="mean over 1 s")
+        axis.axhline(mean(time[time > 4], force[time > 4]), color="#20506e", linestyle="--", linewidth=1, label="mean from 4 s on")
         axis.set_ylabel(f"{words} [MN]")
         axis.set_ylim(0, 1.6 * np.percentile(force, 99))
     axes[0].legend(fontsize=9)
@@ -63,8 +56,7 @@ def draw_bow(folder, file):
 
 
 def main():
-    arguments = argparse.ArgumentParser(description=__doc__.splitlines()[0])
-    arguments.add_argument("results", type=Path, nargs="?", default=Path("results/ship_ice"))
+    arguments = options(__doc__, nargs="?", default=Path("results/ship_ice"))
     arguments.add_argument("--of", choices=("deck", "paper", "window", "window_rigid"), default="deck")
     arguments.add_argument("--check", type=Path)
     given = arguments.parse_args()
@@ -82,4 +74,4 @@ def main():
 
 
 if __name__ == "__main__":
-    main()
+    run(main)

@@ -15,9 +15,7 @@ A load peak begins where the mean of F_x over a second exceeds the overall mean,
 one to the next.
 """
 
-import csv
 import functools
-import json
 import sys
 from pathlib import Path
 
@@ -25,27 +23,21 @@ import numpy as np
 
 sys.path.insert(0, str(Path(__file__).resolve().parent / "../../scripts/results"))
 from csv_reader import history  # noqa: E402
+from interval_means import mean, window_means  # noqa: E402
+from results_folder import options, records, refuse, report_of, run  # noqa: E402
 from vtp_reader import read_vtp, series  # noqa: E402
 
 SETTLED = 4.6  # [m] of travel after the first contact
 CRACKED = 0.35  # [-] damage; adjacent to a plane crack it is 0.4 to 0.5
 
 
-def window_means(time, force, width):
-    """Means over windows of that width [s] that begin at each row."""
-    rows = max(1, round(width / np.median(np.diff(time))))
-    sums = np.concatenate([[0], np.cumsum(force)])
-    return (sums[rows:] - sums[:-rows]) / rows
-
-
 def times_of_loads(time, force):
     """[s] times of load peaks: the middle of the first second whose mean exceeds the overall mean, each time after one below half of it."""
-    smooth, mean = window_means(time, force, 1.0), force.mean()
-    times, is_loaded = [], False
-    for at, now in zip(time + 0.5, smooth):
-        if not is_loaded and now > mean:
+    overall, times, is_loaded = mean(time, force), [], False
+    for at, now in zip(*window_means(time, force, 1.0)):
+        if not is_loaded and now > overall:
             times.append(at)
-        is_loaded = now > mean or (is_loaded and now >= mean / 2)
+        is_loaded = now > overall or (is_loaded and now >= overall / 2)
     return np.array(times)
 
 
@@ -62,15 +54,12 @@ def through_cracks(reference, damage, breadth):
     return int(np.median((np.diff(cracked, axis=0) == 1).sum(axis=0)))
 
 
-def report_of(folder):
-    """run.json."""
-    return json.loads((Path(folder) / "run.json").read_text())
-
-
 def travel_in_ice(rows):
     """[m] of the ship since first contact of its bow, by row; negative before it."""
-    position = rows["ship.position_x [m]"]
-    return position[np.flatnonzero(rows["ship.bow.force_x [N]"])[0]] - position
+    position, touched = rows["ship.position_x [m]"], np.flatnonzero(rows["ship.bow.force_x [N]"])
+    if len(touched) == 0:
+        refuse(f"{rows.owner}: the bow does not touch the ice; continue the run with --resume.")
+    return position[touched[0]] - position
 
 
 def bow_length(hull):
@@ -105,18 +94,18 @@ def measure(folder):
     met = 1 + moved / body["shape"]["box"]["size"][0]  # ice of the whole track over that of the window
     hull = report["setup"]["impactors"]["ship"]["surface"]["hull"]
     breadth = hull["breadth"]
-    with open(Path(folder) / "fragments/sheet.csv", newline="") as lines:
-        fragments = list(csv.DictReader(lines))[-1]
+    fragments = records(folder, "fragments/sheet.csv")[-1]
+    _, seconds = window_means(time[late], along[late], 1.0) if late.any() else ((), ())
     return {
         "travel": travel,
         "breadth": breadth_in_ice(hull, travel),
         "first peak": along[~late].max(),
         "mean of all": work / travel,
-        "mean": along[late].mean() if late.any() else np.nan,
-        "largest 1 s": window_means(time[late], along[late], 1.0).max() if late.any() and np.ptp(time[late]) > 1 else np.nan,
+        "mean": mean(time[late], along[late]) if late.sum() > 1 else np.nan,
+        "largest 1 s": max(seconds, default=np.nan),
         "loads": len(loads),
         "period": np.diff(loads).mean() if len(loads) > 1 else np.nan,
-        "ratio": up.sum() / along.sum(),
+        "ratio": mean(time, up) / mean(time, along),
         "broken": rows["sheet.broken_bonds [-]"][-1] / (met * report["bodies"]["sheet"]["bonds"]),
         "cracks": through_cracks(sheet.points - sheet.point["displacement"], sheet.point["damage"], breadth),
         "large fragments": int(fragments["above_1_percent [-]"]) - 1,
@@ -140,6 +129,10 @@ def show(folder):
     )
 
 
+def main():
+    for folder in options(__doc__, nargs="+").parse_args().results:
+        show(folder)
+
+
 if __name__ == "__main__":
-    for name in sys.argv[1:]:
-        show(name)
+    run(main)

@@ -16,6 +16,7 @@ import numpy as np  # noqa: E402
 HERE = Path(__file__).resolve().parent
 sys.path.insert(0, str(HERE / "../../scripts/results"))
 from csv_reader import history  # noqa: E402
+from results_folder import options, refuse, run  # noqa: E402
 from ship_in_ice import COLOURS, spacing_of  # noqa: E402
 from vtp_reader import picture_at  # noqa: E402
 
@@ -28,10 +29,12 @@ COLUMNS = (  # folder, title, time [s] since contact
 
 
 def first_contact(rows):
-    return rows["time [s]"][np.flatnonzero(rows["ship.bow.force_z [N]"])[0]]
+    touched = np.flatnonzero(rows["ship.bow.force_z [N]"])
+    return rows["time [s]"][touched[0]] if len(touched) else refuse(f"{rows.owner}: the bow does not touch the ice.")
 
 
-def main(results):
+def main():
+    results = options(__doc__).parse_args().results
     figure, axes = plt.subplots(2, len(COLUMNS), figsize=(3.1 * len(COLUMNS), 4.0), sharex=True, sharey=True)
     curves = {}
     for (upper, lower), (name, title, since) in zip(axes.T, COLUMNS):
@@ -63,4 +66,4 @@ def main(results):
 
 
 if __name__ == "__main__":
-    main(Path(sys.argv[1]))
+    run(main)

@@ -6,15 +6,11 @@ of the ship is in the ice, the dominant period, the load peaks of measure.py, th
 """
 
 import csv
-import sys
 from pathlib import Path
 
 import numpy as np
-from measure import bow_length, report_of, times_of_loads, travel_in_ice
-
-sys.path.insert(0, str(Path(__file__).resolve().parent / "../../scripts/results"))
-from csv_reader import history  # noqa: E402
-from load_statistics import load_statistics  # noqa: E402
+from measure import bow_length, history, options, records, refuse, report_of, run, times_of_loads, travel_in_ice  # which makes scripts/results importable
+from load_statistics import load_statistics
 
 HERE = Path(__file__).resolve().parent
 TABLE = HERE / "window.csv"
@@ -22,11 +18,12 @@ TABLE = HERE / "window.csv"
 
 def sizes_of_floes(folder):
     """[m] side of a square of the same area, of the largest floe and of the one that half of the mass of all floes is not smaller than; without single particles and
-    the rest of the sheet, the largest fragment."""
+    the rest of the sheet, the largest fragment; not-a-number where there is no floe."""
     sheet = report_of(folder)["setup"]["bodies"]["sheet"]
     per_area = sheet["material"]["density"] * sheet["shape"]["box"]["size"][2]
-    with open(Path(folder) / "fragments/sheet_end.csv", newline="", encoding="utf-8") as lines:
-        mass = np.sort([float(row["mass [kg]"]) for row in csv.DictReader(lines)])[-2::-1]
+    mass = np.sort([float(row["mass [kg]"]) for row in records(folder, "fragments/sheet_end.csv")])[::-1][1:]
+    if len(mass) == 0:
+        return np.nan, np.nan
     median = mass[np.searchsorted(np.cumsum(mass), 0.5 * mass.sum())]
     return tuple(np.sqrt(np.array([mass[0], median]) / per_area))
 
@@ -36,7 +33,7 @@ def measure(folder):
     rows, hull = history(folder), report_of(folder)["setup"]["impactors"]["ship"]["surface"]["hull"]
     time, force, way = rows["time [s]"], rows["ship.force_x [N]"], travel_in_ice(rows)
     if way[-1] <= bow_length(hull):
-        sys.exit(f"{folder} ends after {way[-1]:.1f} m, before the bow of {bow_length(hull):.1f} m is in the ice. Continue the run with --resume.")
+        refuse(f"{folder} ends after {way[-1]:.1f} m, before the bow of {bow_length(hull):.1f} m is in the ice. Continue the run with --resume.")
     numbers = {"travel [m]": way[-1], "end [s]": time[-1]}
     for name, begin in (("whole", time[way > 0][0]), ("full breadth", time[way > bow_length(hull)][0])):
         found, late = load_statistics(folder, "ship.force_x", f"{begin:.2f}"), time >= begin
@@ -62,7 +59,7 @@ def measure(folder):
 
 
 def main():
-    numbers = measure(Path(sys.argv[1]))
+    numbers = measure(options(__doc__).parse_args().results)
     with open(TABLE, "w", newline="", encoding="utf-8") as lines:
         writer = csv.writer(lines, lineterminator="\n")
         writer.writerow(["quantity", "value"])
@@ -72,4 +69,4 @@ def main():
 
 
 if __name__ == "__main__":
-    main()
+    run(main)

@@ -6,7 +6,6 @@
 writes figures/surfacing.png, forces.png, fragments.png and equilibrium.png beside this script.
 """
 
-import json
 import sys
 from pathlib import Path
 
@@ -16,11 +15,10 @@ matplotlib.use("Agg")
 import matplotlib.pyplot as plt  # noqa: E402
 import numpy as np  # noqa: E402
 from matplotlib.colors import LinearSegmentedColormap, Normalize  # noqa: E402
-from measure import GRAVITY, ice_on  # noqa: E402
+from measure import GRAVITY, history, ice_on, options, report_of, run  # noqa: E402
 
 CASE = Path(__file__).resolve().parent
 sys.path.insert(0, str(CASE.parents[1] / "scripts/results"))
-from csv_reader import history  # noqa: E402
 from render import Scene  # noqa: E402
 from vtp_reader import picture_at  # noqa: E402
 
@@ -75,7 +73,7 @@ def draw_fragments(runs, spacing):
     figure, axes = plt.subplots(1, len(runs), figsize=(11.5, 3.4), layout="constrained")
     for axis, (folder, title) in zip(axes, runs):
         axis.imshow(scene_at(folder, END, spacing, by_fragment)[1], interpolation="none")
-        axis.set_title(f"{title}: {json.loads((folder / 'run.json').read_text())['bodies']['ice']['fragments']['above_1_percent']} above 1 %")
+        axis.set_title(f"{title}: {report_of(folder)['bodies']['ice']['fragments']['above_1_percent']} above 1 %")
         axis.axis("off")
     figure.savefig(CASE / "figures/fragments.png", dpi=95)
     plt.close(figure)
@@ -83,11 +81,17 @@ def draw_fragments(runs, spacing):
 
 def draw_forces(given, unhardened, mass):
     """Against the rise of the submarine, which is its speed times time."""
-    rise = given["submarine.position_z [m]"] - given["submarine.position_z [m]"][0]
+    time, height = given["time [s]"], given["submarine.position_z [m]"]
+    rise = height - height[0]
+
+    def curve(columns, part):
+        times, force = ice_on(columns, part)
+        return np.interp(times, time, rise), force / 1e6
+
     figure, axis = plt.subplots(figsize=(10.5, 4.6), layout="constrained")
     for part, colour in ((".sail", BLUE), (".hull", RED)):
-        axis.plot(rise, ice_on(given, part) / 1e6, color=colour, lw=2, label=f"ice on the {part[1:]}, downward")
-        axis.plot(rise, ice_on(unhardened, part) / 1e6, color=colour, lw=1, alpha=0.6, label=f"{part[1:]}, ice without hardening")
+        axis.plot(*curve(given, part), color=colour, lw=2, label=f"ice on the {part[1:]}, downward")
+        axis.plot(*curve(unhardened, part), color=colour, lw=1, alpha=0.6, label=f"{part[1:]}, ice without hardening")
     lift = GRAVITY * (given["submarine.displaced_mass [kg]"] - mass)
     axis.plot(rise, lift / 1e6, color=GREY, lw=1.5, ls="--", label="buoyancy − weight, upward")
     axis.axhline(0, color="0.8", lw=0.8)
@@ -101,7 +105,8 @@ def draw_equilibrium(free, mass):
     figure, axis = plt.subplots(figsize=(10.5, 4.6), layout="constrained")
     time = free["time [s]"]
     axis.plot(time, free["submarine.displaced_mass [kg]"] / 1e3, color=BLUE, lw=2.2, label="displaced water")
-    axis.plot(time, (mass + ice_on(free) / GRAVITY) / 1e3, color=RED, lw=1.6, label="mass + force of the ice / g")
+    times, force = ice_on(free)
+    axis.plot(times, (mass + force / GRAVITY) / 1e3, color=RED, lw=1.6, label="mass + force of the ice / g")
     axis.axhline(mass / 1e3, color=GREY, lw=1, ls="--", label="mass")
     axis.set(xlabel="time [s]", ylabel="mass [t]", title="Free in heave, the submarine ends by displacing its own mass and that of the ice on it")
     axis.legend(frameon=False)
@@ -110,15 +115,15 @@ def draw_equilibrium(free, mass):
 
 
 def main():
-    given, unhardened, free = (Path(sys.argv[1]) / name for name in ("given", "unhardened", "free"))
+    given, unhardened, free = (options(__doc__).parse_args().results / name for name in ("given", "unhardened", "free"))
     (CASE / "figures").mkdir(exist_ok=True)
-    report = json.loads((free / "run.json").read_text())
+    report = report_of(free)
     mass = report["impactors"]["submarine"]["mass [kg]"]
     draw_forces(history(given), history(unhardened), mass)
-    draw_fragments([(given, "hardening"), (unhardened, "without")], json.loads((given / "run.json").read_text())["setup"]["bodies"]["ice"]["spacing"])
+    draw_fragments([(given, "hardening"), (unhardened, "without")], report_of(given)["setup"]["bodies"]["ice"]["spacing"])
     draw_equilibrium(history(free), mass)
     draw_surfacing(free, report["setup"]["bodies"]["ice"]["spacing"])
 
 
 if __name__ == "__main__":
-    main()
+    run(main)

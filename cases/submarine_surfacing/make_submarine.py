@@ -7,6 +7,7 @@ x points ahead, z up, the axis is at z = 0 and amidships at x = 0. At each stati
 or to the crown; the sail has vertical sides and a rounded top. It tapers to edges ahead and astern.
 """
 
+import argparse
 import math
 
 LENGTH, DIAMETER = 60.0, 8.0
@@ -88,6 +89,7 @@ class Mesh:
 
 
 def main():
+    argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter).parse_args()
     around = math.ceil(math.pi * DIAMETER / 2 / PANEL)
     up = math.ceil((SAIL_HEIGHT - SAIL_TOP) / PANEL)
     xs = stations()

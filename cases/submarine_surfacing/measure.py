@@ -7,7 +7,6 @@ fragments       connected components of intact bonds at the end
 energy          largest energy balance error, also over the energy exchanged (docs/theory/energy.md); work of the submarine on the ice
 """
 
-import json
 import sys
 from pathlib import Path
 
@@ -15,6 +14,8 @@ import numpy as np
 
 sys.path.insert(0, str(Path(__file__).resolve().parents[2] / "scripts/results"))
 from csv_reader import history  # noqa: E402
+from interval_means import window_means  # noqa: E402
+from results_folder import options, report_of, run  # noqa: E402
 
 LAST = 0.3  # [s] at the end, over which the balance is averaged
 MEAN = 0.1  # [s] averaging time of forces: contacts of single particles are impulses
@@ -23,10 +24,9 @@ GRAVITY = 9.81
 
 
 def ice_on(columns, part=""):
-    """Force of the ice, downward [N], averaged about each row; rows are means already, so impulses are conserved."""
-    force = -columns[f"submarine{part}.force_z [N]"]
-    rows = max(1, round(MEAN / (columns["time [s]"][2] - columns["time [s]"][1])))
-    return np.convolve(force, np.ones(rows), "same") / np.convolve(np.ones_like(force), np.ones(rows), "same")
+    """Times [s], and means of the force of the ice, downward [N]."""
+    middles, means = window_means(columns["time [s]"], columns[f"submarine{part}.force_z [N]"], MEAN)
+    return middles, -means
 
 
 def energy_balance_error(columns):
@@ -38,13 +38,15 @@ def energy_balance_error(columns):
 
 def measure(folder):
     """Numbers of a run by name."""
-    columns, report = history(folder), json.loads((folder / "run.json").read_text())
+    columns, report = history(folder), report_of(folder)
     time, height = columns["time [s]"], columns["submarine.position_z [m]"]
     rise = height - height[0]
     found = {}
     for part, (low, high) in {"sail": (0, np.inf), "hull": (0, MEETS), "hull later": (MEETS, np.inf)}.items():
-        force = np.where((rise >= low) & (rise < high), ice_on(columns, f".{part.split()[0]}"), -np.inf)
-        found |= {f"{part} [N]": force.max(), f"{part}: at a rise of [m]": rise[force.argmax()]}
+        times, force = ice_on(columns, f".{part.split()[0]}")
+        risen = np.interp(times, time, rise)
+        force = np.where((risen >= low) & (risen < high), force, -np.inf)
+        found |= {f"{part} [N]": force.max(), f"{part}: at a rise of [m]": risen[force.argmax()]}
     ice = report["bodies"]["ice"]
     fragments = ice["fragments"]
     found |= {
@@ -84,8 +86,12 @@ def equilibrium(columns, report):
     }
 
 
-if __name__ == "__main__":
-    for folder in map(Path, sys.argv[1:]):
+def main():
+    for folder in options(__doc__, nargs="+").parse_args().results:
         print(folder)
         for name, value in measure(folder).items():
             print(f"    {name:<42}{value:.6g}")
+
+
+if __name__ == "__main__":
+    run(main)

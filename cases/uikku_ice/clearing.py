@@ -6,23 +6,20 @@ they have been moved down and aside on average, how many of them are under or be
 Lindqvist's potential energy of submerged ice takes the mean depth T (B + T)/(B + 2T).
 """
 
-import argparse
 import sys
 from pathlib import Path
 
 import numpy as np
 
 sys.path.insert(0, str(Path(__file__).resolve().parent / "../ship_ice"))
-from measure import bow_length, breadth_of_waterline, report_of  # noqa: E402  which makes scripts/results importable
-from csv_reader import history  # noqa: E402
+from measure import bow_length, breadth_of_waterline, history, options, report_of, run  # noqa: E402  which makes scripts/results importable
 from vtp_reader import picture_at  # noqa: E402
 
 ZONE = 10.0  # [m] along the ship
 
 
 def main():
-    arguments = argparse.ArgumentParser(description=__doc__.splitlines()[0])
-    arguments.add_argument("results", type=Path)
+    arguments = options(__doc__)
     arguments.add_argument("--time", type=float, default=1e9, help="[s]; the last frame where absent")
     given = arguments.parse_args()
     time, sheet = picture_at(given.results, "sheet", given.time)
@@ -50,4 +47,4 @@ def main():
 
 
 if __name__ == "__main__":
-    main()
+    run(main)

@@ -6,43 +6,33 @@ ship over the sample, the last metres of travel, with the standard error of bloc
 """
 
 import csv
-import json
 import re
-import sys
-from pathlib import Path
 
 from decks import HERE, ship_in, tests  # which makes ../ship_ice importable
+from measure import history, options, records, refuse, report_of, run  # which makes scripts/results importable
 from resistance import iso_19906, lindqvist, riska
-from window import sizes_of_floes
+from window import load_statistics, sizes_of_floes
 
-sys.path.insert(0, str(HERE / "../../scripts/results"))
-from csv_reader import history  # noqa: E402
-from load_statistics import load_statistics  # noqa: E402
-
-RESULTS = HERE / "results.csv"
-
-
-def records(path):
-    with open(path, newline="", encoding="utf-8") as lines:
-        return list(csv.DictReader(lines))
+RESULTS = "results.csv"
 
 
 def runs():
     """Rows of results.csv by the number of the test."""
-    return {int(row["test"]): row for row in records(RESULTS)}
+    return {int(row["test"]): row for row in records(HERE, RESULTS)}
 
 
 def measure(folder):
     """The row of results.csv of a run."""
-    report = json.loads((folder / "run.json").read_text(encoding="utf-8"))
-    title = report["setup"]["title"]
+    title = report_of(folder)["setup"]["title"]
+    number = int((re.search(r"test (\d+)", title) or "00")[1])
+    if number not in tests():
+        refuse(f"{folder}: its title, {title}, has none of the tests {', '.join(map(str, tests()))}.")
     if ", free" in title:
-        sys.exit(f"{folder} is a run of free.yaml, whose ship has no speed of its own; compare its mean velocity with that of the test.")
-    number = int(re.search(r"test (\d+)", title)[1])
-    run, columns = ship_in(tests()[number]), history(folder)
-    begin, end, last = run.sample_begins, run.ends, columns["time [s]"][-1]
+        refuse(f"{folder} is a run of free.yaml, whose ship has no speed of its own; compare its mean velocity with that of the test.")
+    ship, columns = ship_in(tests()[number]), history(folder)
+    begin, end, last = ship.sample_begins, ship.ends, columns["time [s]"][-1]
     if last < end - 0.01 * (end - begin):
-        sys.exit(f"{folder} ends at {last:.1f} s, but the sample of test {number} is from {begin:.1f} to {end:.1f} s. Continue it with --resume.")
+        refuse(f"{folder} ends at {last:.1f} s, but the sample of test {number} is from {begin:.1f} to {end:.1f} s. Continue it with --resume.")
     force = load_statistics(folder, "ship.force_x", begin, end)
     largest, median = sizes_of_floes(folder)
     return {
@@ -59,7 +49,7 @@ def measured(folders):
     for folder in folders:
         row = measure(folder)
         rows[row["test"]] = row
-    with open(RESULTS, "w", newline="", encoding="utf-8") as lines:
+    with open(HERE / RESULTS, "w", newline="", encoding="utf-8") as lines:
         writer = csv.DictWriter(lines, next(iter(rows.values())), lineterminator="\n")
         writer.writeheader()
         writer.writerows(rows[number] for number in sorted(rows))
@@ -74,8 +64,8 @@ def cell(row):
 
 
 def main():
-    if len(sys.argv) > 1:
-        measured(map(Path, sys.argv[1:]))
+    if folders := options(__doc__, nargs="*").parse_args().results:
+        measured(folders)
     found = runs()
     print("| test | H [m] | V [m/s] | σ_f [kPa] | σ_c [MPa] | E [MPa] | measured [kN] | run [kN] | Lindqvist | Lindqvist, R_c + R_b | Riska | ISO 19906, breaking |")
     print("|---|---|---|---|---|---|---|---|---|---|---|---|")
@@ -88,4 +78,4 @@ def main():
 
 
 if __name__ == "__main__":
-    main()
+    run(main)

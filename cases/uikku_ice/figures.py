@@ -4,7 +4,6 @@
 RESULTS: folder of a run of deck.yaml (default: results/uikku_ice_302).
 """
 
-import sys
 from pathlib import Path
 
 import matplotlib
@@ -12,12 +11,8 @@ import matplotlib
 matplotlib.use("Agg")
 import matplotlib.pyplot as plt  # noqa: E402
 from decks import HERE, ship_in, tests  # noqa: E402  which makes ../ship_ice importable
-from measure import window_means  # noqa: E402
-
-sys.path.insert(0, str(HERE / "../../scripts/results"))
-from csv_reader import history  # noqa: E402
+from measure import history, mean, options, run, series, window_means  # noqa: E402  which makes scripts/results importable
 from ship_in_ice import draw_damage, draw_scenes  # noqa: E402
-from vtp_reader import series  # noqa: E402
 
 
 def draw_force(folder, test, file):
@@ -26,22 +21,22 @@ def draw_force(folder, test, file):
     time, force = rows["time [s]"], rows["ship.force_x [N]"] / 1e3
     figure, axis = plt.subplots(figsize=(10, 3.8))
     axis.fill_between(time, force, color="#a9c9e0", step="pre", label=f"rows of history.csv, {time[2] - time[1]:.3g} s")
-    smooth = window_means(time, force, 2.0)
-    axis.plot(time[: len(smooth)] + 1, smooth, color="#b3312c", linewidth=1.2, label="mean over 2 s")
+    middles, smooth = window_means(time, force, 2.0)
+    axis.plot(middles, smooth, color="#b3312c", linewidth=1.2, label="mean over 2 s")
     begin = ship_in(test).sample_begins
     if time[-1] > begin:
-        axis.hlines(force[time > begin].mean(), begin, time[-1], color="#20506e", linewidth=1.6, label="mean of the sample")
+        axis.hlines(mean(time[time > begin], force[time > begin]), begin, time[-1], color="#20506e", linewidth=1.6, label="mean of the sample")
     axis.axhline(test["resistance"], color="#3a3a3a", linestyle="--", linewidth=1, label="measured mean")
     axis.axvspan(0, ship_in(test).approach_time, color="#000000", alpha=0.06, linewidth=0)
     axis.set_ylabel("F_x, resistance [kN]"), axis.set_xlabel("time [s]; grey: 1.5 m/s, until the bow is in the ice")
-    axis.set_xlim(0, time[-1]), axis.set_ylim(0, 1.1 * max(smooth.max(), test["resistance"]))
+    axis.set_xlim(0, time[-1]), axis.set_ylim(0, 1.1 * max(*smooth, test["resistance"]))
     axis.legend(fontsize=9, loc="upper left")
     figure.tight_layout()
     figure.savefig(file, dpi=95)
 
 
 def main():
-    folder = Path(sys.argv[1] if len(sys.argv) > 1 else "results/uikku_ice_302")
+    folder = options(__doc__, nargs="?", default=Path("results/uikku_ice_302")).parse_args().results
     figures = HERE / "figures"
     figures.mkdir(exist_ok=True)
     end = series(folder, "sheet")[-1][0]
@@ -51,4 +46,4 @@ def main():
 
 
 if __name__ == "__main__":
-    main()
+    run(main)

@@ -8,6 +8,7 @@ from dataclasses import dataclass, field
 from pathlib import Path
 
 import numpy as np
+from results_folder import Named, refuse
 
 NUMPY_TYPE = {"Float32": "f4", "Float64": "f8", "Int32": "i4", "Int64": "i8", "UInt8": "u1"}
 
@@ -51,7 +52,7 @@ def read_vtp(path):
         return values if components == 1 else values.reshape(-1, components)
 
     def arrays(section):
-        return {element.get("Name"): array(element) for element in head.findall(f".//{section}/DataArray")}
+        return Named(((element.get("Name"), array(element)) for element in head.findall(f".//{section}/DataArray")), path)
 
     picture = Picture(points=next(iter(arrays("Points").values())), point=arrays("PointData"), cell=arrays("CellData"))
     polygons = arrays("Polys")
@@ -65,9 +66,12 @@ def read_vtp(path):
 
 def series(folder, name):
     """(time [s], file) of each picture of a body or impactor, in the results folder of a run."""
-    if (Path(folder) / "frames" / f"{name}.vtkhdf").exists():
-        raise SystemExit(f"error: {folder}/frames/{name}.vtkhdf: only .vtp frames are read here; run the deck with --set output.frame_format=vtp")
-    entries = xml.parse(Path(folder) / "frames" / f"{name}.pvd").getroot().iter("DataSet")
+    frames = Path(folder) / "frames"
+    if (frames / f"{name}.vtkhdf").exists():
+        refuse(f"{frames}/{name}.vtkhdf: only .vtp frames are read here; run the deck with --set output.frame_format=vtp.")
+    if not (frames / f"{name}.pvd").exists():
+        refuse(f"{folder} has no frames of {name}; run the deck with output.frames above 0.")
+    entries = xml.parse(frames / f"{name}.pvd").getroot().iter("DataSet")
     return [(float(entry.get("timestep")), Path(folder) / "frames" / entry.get("file")) for entry in entries]
 
 

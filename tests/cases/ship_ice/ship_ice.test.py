@@ -125,6 +125,27 @@ def _(t):
     t.assertEqual(len(times_of_loads(time, np.full_like(time, 3.0) + np.sin(time))), 1)
 
 
+@claim("ship: a bow that does not touch the ice is stated in a sentence, and a sheet in one piece has no floes")
+def _(t):
+    import json
+
+    import numpy as np
+    from measure import history, travel_in_ice
+    from results_folder import Missing
+    from window import sizes_of_floes
+
+    (t.folder / "fragments").mkdir()
+    (t.folder / "history.csv").write_text("time [s],ship.position_x [m],ship.bow.force_x [N]\n0,0,0\n1,-2,0\n")
+    (t.folder / "run.json").write_text(json.dumps({"setup": {"bodies": {"sheet": {"material": {"density": 900}, "shape": {"box": {"size": [60, 80, 2]}}}}}}))
+    with t.assertRaisesRegex(Missing, r"history\.csv: the bow does not touch the ice; continue the run with --resume\.$"):
+        travel_in_ice(history(t.folder))
+    pieces = t.folder / "fragments/sheet_end.csv"
+    pieces.write_text("fragment [-],particles [-],mass [kg]\n0,100,8640000\n")
+    t.assertTrue(all(np.isnan(side) for side in sizes_of_floes(t.folder)))
+    pieces.write_text("fragment [-],particles [-],mass [kg]\n0,100,8640000\n1,4,45000\n2,2,28800\n")
+    t.assertEqual(sizes_of_floes(t.folder), (5, 5))
+
+
 @claim("ship: through-cracks are counted along the way of the ship, not what is cracked on one face or beside it")
 def _(t):
     import numpy as np
