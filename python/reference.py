@@ -1,6 +1,7 @@
 """Generates docs/guide/python_reference.md from the stubs and docstrings: python3 python/reference.py > docs/guide/python_reference.md
 
-Requires the built package: PYTHONPATH=build/release/python. Lists each name with its signature from the stubs and its docstring.
+Requires the built package: PYTHONPATH=build/release/python. Lists each name with its signature, from the stubs of the compiled modules and the source of the
+others, and its docstring.
 """
 
 import ast
@@ -10,7 +11,8 @@ import re
 import sys
 from pathlib import Path
 
-STUBS = Path(__file__).parent / "src" / "perimpact"
+FILES = Path(__file__).parent / "src" / "perimpact"
+MODULES = {"perimpact": "__init__.pyi", "perimpact.fccda": "fccda.pyi", "perimpact.results": "results.py", "perimpact.modes": "modes.py"}
 
 HEAD = """\
 # Reference of the Python package
@@ -40,7 +42,7 @@ def text_of(thing):
 def signature(name, function):
     """The signature of the stub, without self, on one line."""
     arguments = ast.unparse(function.args).removeprefix("self, ").removeprefix("self")
-    returns = ast.unparse(function.returns)
+    returns = ast.unparse(function.returns) if function.returns else "None"
     return f"{name}({arguments})" + ("" if returns == "None" else f" → {returns}")
 
 
@@ -53,28 +55,30 @@ def of_class(module, node):
     actual = getattr(module, node.name)
     yield text_of(actual) + "\n"
     for item in node.body:
-        if not isinstance(item, ast.FunctionDef):
+        if not isinstance(item, ast.FunctionDef) or (item.name.startswith("_") and item.name not in ("__init__", "__len__")):
             continue
         member = getattr(actual, item.name)
         if is_property(item):
             yield f"- **{item.name}** `{ast.unparse(item.returns)}`: {text_of(member)}"
         elif item.name == "__init__":
-            yield f"**`{signature(node.name, item)}`**\n\n{text_of(member)}\n"
+            if member.__doc__:  # else its objects are made by others
+                yield f"**`{signature(node.name, item)}`**\n\n{text_of(member)}\n"
         elif item.name == "__len__":
-            yield "- **len()** `int`: " + {"Mesh": "number of faces.", "Body": "number of particles."}[node.name]
+            yield "- **len()** `int`: " + {"Mesh": "number of faces.", "Body": "number of particles.", "Frames": "number of frames.", "Modes": "number of modes."}[node.name]
         else:
             yield f"\n**`{signature(item.name, item)}`**\n\n{text_of(member)}\n"
 
 
 def page():
     yield HEAD
-    for name in ("perimpact", "perimpact.fccda"):
+    for name, file in MODULES.items():
         module = importlib.import_module(name)
-        stub = STUBS / ("fccda.pyi" if name.endswith("fccda") else "__init__.pyi")
         yield f"## {name}\n"
-        for node in ast.parse(stub.read_text()).body:
-            if getattr(node, "name", "").startswith("_"):
-                continue  # for type checkers only
+        if file.endswith(".py"):
+            yield text_of(module).split("\n")[0] + "\n"
+        for node in ast.parse((FILES / file).read_text()).body:
+            if getattr(node, "name", "").startswith("_") or getattr(node, "name", "") == "main":
+                continue  # for type checkers and programs only
             if isinstance(node, ast.ClassDef):
                 yield from of_class(module, node)
                 yield ""

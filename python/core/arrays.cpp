@@ -95,6 +95,12 @@ py::array_t<double> array_of(const fccda::Mat3& matrix) {
   return array;
 }
 
+py::array_t<int> array_of(std::span<const std::array<int, 4>> panels) {
+  py::array_t<int> array({static_cast<py::ssize_t>(panels.size()), py::ssize_t{4}});
+  std::copy_n(reinterpret_cast<const int*>(panels.data()), 4 * panels.size(), array.mutable_data());
+  return array;
+}
+
 py::array_t<std::int64_t> array_of(std::span<const std::size_t> indices) {
   py::array_t<std::int64_t> array(static_cast<py::ssize_t>(indices.size()));
   std::copy(indices.begin(), indices.end(), array.mutable_data());

@@ -4,6 +4,7 @@
 #include <pybind11/numpy.h>
 #include <pybind11/pybind11.h>
 
+#include <array>
 #include <cstddef>
 #include <cstdint>
 #include <span>
@@ -82,6 +83,9 @@ py::array_t<int> vertex_numbers_of(const Triangles& triangles) {
     for (std::size_t c = 0; c < 3; ++c) array.mutable_at(static_cast<py::ssize_t>(t), static_cast<py::ssize_t>(c)) = triangles[t].vertex[c];
   return array;
 }
+
+/// A copy of the vertex numbers of panels as an array of shape (panels, 4).
+py::array_t<int> array_of(std::span<const std::array<int, 4>> panels);
 
 /// A copy of indices.
 py::array_t<std::int64_t> array_of(std::span<const std::size_t> indices);

@@ -13,6 +13,7 @@
 #include "fccda/api/deforming_contact_detector.hpp"
 #include "fccda/deforming/step_warnings.hpp"
 #include "given_surface.hpp"
+#include "threads.hpp"
 
 namespace perimpact::python {
 
@@ -73,6 +74,7 @@ DeformingContactRows detect_deforming(DeformingContactDetector& detector, const 
   const fccda::ConstVectors from = vectors_in(x_t0, "x_t0", at_t0), to = vectors_in(x_t1, "x_t1", at_t1);
   std::optional<fccda::Numbers> of_each;
   if (radius) of_each = each_in(*radius, "radius", radii);
+  use_chosen_threads();
   std::vector<DeformingContact> contacts;
   {
     const py::gil_scoped_release release;

@@ -16,6 +16,7 @@
 #include "fccda/rigid_body/solid.hpp"
 #include "given_surface.hpp"
 #include "mesh.hpp"
+#include "threads.hpp"
 
 namespace perimpact::python {
 
@@ -37,6 +38,7 @@ using Boxes = std::vector<std::pair<Vec3d, Vec3d>>;
 // ---- surfaces ----
 
 GivenSurface surface_of(const Mesh& mesh, double weld, const std::string& outside, const std::string& name) {
+  if (!(weld >= 0 && std::isfinite(weld))) throw InputError(fmt::format("weld is {} m, but it must be at least 0 and finite.", weld));
   fccda::Orientation side = fccda::Orientation::undeclared;
   if (outside == "normals")
     side = fccda::Orientation::normals;
@@ -109,10 +111,19 @@ fccda::FreeDegrees degrees_of(const std::vector<std::string>& names) {
   fccda::FreeDegrees degrees;
   for (const std::string& name : names) {
     const auto known = std::find(degree_names.begin(), degree_names.end(), name);
-    if (known == degree_names.end()) throw InputError(fmt::format("free contains \"{}\", which is not a degree of freedom; use x, y, z, rx, ry, rz.", name));
+    if (known == degree_names.end()) throw InputError(fmt::format("free_dofs has \"{}\", which is not a degree of freedom; use x, y, z, rx, ry, rz.", name));
     degrees.free[static_cast<std::size_t>(known - degree_names.begin())] = true;
   }
   return degrees;
+}
+
+void drive(RigidBody& body, const std::string& degree, double velocity) {
+  const auto known = std::find(degree_names.begin(), degree_names.end(), degree);
+  if (known == degree_names.end()) throw InputError(fmt::format("degree is \"{}\", but it must be one of x, y, z, rx, ry, rz.", degree));
+  const auto number = static_cast<std::size_t>(known - degree_names.begin());
+  if (body.degrees().free[number])
+    throw InputError(fmt::format("degree {} is free, so its velocity cannot be prescribed; leave it out of free_dofs, or drive another one.", degree));
+  body.drive(number, velocity);
 }
 
 struct Start {
@@ -151,7 +162,12 @@ void bind_bodies(py::module_& module) {
           "Transforms (n, 3) points from the body frame to world coordinates [m].")
       .def(
           "to_body", [](const Pose& pose, const Numbers& points) { return moved_points(pose, points, &Pose::to_body); }, "points"_a,
-          "Transforms (n, 3) points from world coordinates to the body frame [m].");
+          "Transforms (n, 3) points from world coordinates to the body frame [m].")
+      .def(py::pickle([](const Pose& pose) { return py::make_tuple(pose.position(), numbers_in(pose.attitude())); },
+                      [](const py::tuple& state) {
+                        const auto [w, x, y, z] = state[1].cast<std::array<double, 4>>();
+                        return Pose(state[0].cast<Vec3d>(), {w, x, y, z});
+                      }));
 
   py::class_<Motion>(module, "Motion", "Motion of a body over one step: rotation at constant rate about `centre`, which moves along a straight line.")
       .def(py::init([](const Pose& t0, const Pose& t1, double dt, const Vec3d& centre) {
@@ -191,13 +207,8 @@ prescribed.)")
       .def("advance", &RigidBody::advance, "dt"_a, "Advances the body by dt [s] with its velocities; returns the Motion.")
       .def("add_impulse", &RigidBody::add_impulse, "linear"_a, "angular"_a,
            "Applies an impulse to the free degrees of freedom. linear: (3,) [N s]; angular: (3,) about the centre of mass [N m s].")
-      .def(
-          "drive",
-          [](RigidBody& body, const std::string& degree, double velocity) {
-            const fccda::FreeDegrees one = degrees_of({degree});
-            body.drive(static_cast<std::size_t>(std::find(one.free.begin(), one.free.end(), true) - one.free.begin()), velocity);
-          },
-          "degree"_a, "velocity"_a, "Prescribes the velocity of a degree of freedom that is not free, such as \"x\" or \"rz\" [m/s], [rad/s].")
+      .def("drive", &drive, "degree"_a, "velocity"_a,
+           "Prescribes the velocity of a degree of freedom that is not free, such as \"x\" or \"rz\" [m/s], [rad/s].")
       .def_property_readonly(
           "pose", [](const RigidBody& body) { return body.pose(); }, "Current pose, a copy.")
       .def_property_readonly("position", &RigidBody::position_of_com, "(3,) position of the centre of mass [m].")
@@ -246,6 +257,7 @@ py::array_t<ContactRow> detect(fccda::ContactDetector& detector, const Motion& m
   const fccda::ConstVectors from = vectors_in(x_t0, "x_t0", at_t0), to = vectors_in(x_t1, "x_t1", at_t1);
   std::optional<fccda::Numbers> of_each;
   if (radius) of_each = each_in(*radius, "radius", radii);
+  use_chosen_threads();
   std::vector<fccda::Contact> contacts;
   {
     const py::gil_scoped_release release;

@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 #include <pybind11/stl.h>
+#include <pybind11/stl/filesystem.h>
 
 #include <algorithm>
 #include <array>
@@ -59,17 +60,26 @@ Panels panels_from(Numbers& vertices, const Faces& faces, const std::optional<st
   return panels;
 }
 
-py::array_t<int> faces_of(const Mesh& mesh) {
-  const auto& panels = mesh.panels().panels;
-  py::array_t<int> faces({static_cast<py::ssize_t>(panels.size()), py::ssize_t{4}});
-  std::copy_n(reinterpret_cast<const int*>(panels.data()), 4 * panels.size(), faces.mutable_data());
-  return faces;
-}
-
 std::vector<std::string> parts_of(const Mesh& mesh) {
   std::vector<std::string> parts;
   for (const int part : mesh.panels().part) parts.push_back(mesh.panels().part_names[static_cast<std::size_t>(part)]);
   return parts;
+}
+
+// ---- pickled meshes ----
+
+py::tuple pickled(const Mesh& mesh) {
+  const Panels& panels = mesh.panels();
+  return py::make_tuple(array_of(panels.vertices), array_of(panels.panels), py::array_t<int>(static_cast<py::ssize_t>(panels.part.size()), panels.part.data()),
+                        panels.part_names);
+}
+
+Mesh unpickled(const py::tuple& state) {
+  auto vertices = state[0].cast<Numbers>();
+  Panels panels = panels_from(vertices, state[1].cast<Faces>(), std::nullopt);
+  panels.part = state[2].cast<std::vector<int>>();
+  panels.part_names = state[3].cast<std::vector<std::string>>();
+  return Mesh(std::move(panels));
 }
 
 fccda::Axis axis_of(const std::string& word) {
@@ -102,7 +112,7 @@ May replace a surface file in a set-up, with the same accompanying keys:
 faces: (m, 3) or (m, 4) vertex numbers around each panel, from 0, counterclockwise seen from outside; the fourth is -1 for triangles among quads.
 parts: part name of each panel, for `file_parts`, `gauges` and `refine`.)")
       .def_static(
-          "read", [](const std::string& file, const std::vector<std::string>& parts) { return Mesh(fccda::read_panels(file, parts)); }, "file"_a,
+          "read", [](const std::filesystem::path& file, const std::vector<std::string>& parts) { return Mesh(fccda::read_panels(file, parts)); }, "file"_a,
           "parts"_a = std::vector<std::string>(), "Reads the panels of a surface file, in its units: all, or those of the named parts.")
       .def_static(
           "box",
@@ -132,8 +142,13 @@ parts: part name of each panel, for `file_parts`, `gauges` and `refine`.)")
           "A sphere centred on the origin [m], with panels of edge length at most edge_length [m]; by default a twentieth of the diameter.")
       .def_property_readonly(
           "vertices", [](const Mesh& mesh) { return array_of(mesh.panels().vertices); }, "(n, 3) coordinates [m], a copy.")
-      .def_property_readonly("faces", &faces_of, "(m, 4) vertex numbers, the fourth -1 for triangles; a copy.")
+      .def_property_readonly(
+          "faces", [](const Mesh& mesh) { return array_of(mesh.panels().panels); }, "(m, 4) vertex numbers, the fourth -1 for triangles; a copy.")
       .def_property_readonly("parts", &parts_of, "Part name of each panel; empty where there are no parts.")
+      .def("__copy__", [](const Mesh& mesh) { return mesh; })
+      .def(
+          "__deepcopy__", [](const Mesh& mesh, const py::dict&) { return mesh; }, "memo"_a)  // copies share what cannot change
+      .def(py::pickle(&pickled, &unpickled))
       .def("__len__", [](const Mesh& mesh) { return mesh.panels().panels.size(); })
       .def("__repr__", [](const Mesh& mesh) {
         return fmt::format("<perimpact.Mesh of {} vertices and {} faces>", mesh.panels().vertices.size(), mesh.panels().panels.size());

@@ -3,15 +3,20 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 #include <csignal>
 #include <limits>
 
 #include "base/error.hpp"
 #include "io/deck/did_you_mean.hpp"
+#include "io/output/file.hpp"
+#include "io/output/results_folder.hpp"
 #include "io/report/report.hpp"
-#include "kept.hpp"
+#include "io/results/run_report.hpp"
 #include "perimpact/deck_model/setup_error.hpp"
 #include "run/stop_signals.hpp"
+#include "threads.hpp"
+#include "words.hpp"
 
 namespace perimpact::python {
 
@@ -24,11 +29,13 @@ constexpr std::chrono::milliseconds between_looks_for_signals{50};
 
 template <class F>
 auto with_places(const deck::Deck& deck, const F& f) {
-  try {
-    return f();
-  } catch (const SetupError& error) {
-    throw InputError(deck.places.of(error.key()) + ": " + error.what());
-  }
+  return worded([&] {
+    try {
+      return f();
+    } catch (const SetupError& error) {
+      throw InputError(deck.places.of(error.key()) + ": " + error.what());
+    }
+  });
 }
 
 /// Converts the return value of a user force to force densities of the slots.
@@ -80,19 +87,25 @@ std::shared_ptr<Run> Run::of(deck::Deck deck, const std::vector<UserForceFunctio
     if (body == names.end())
       throw InputError(fmt::format("forces refers to body {}, which does not exist; {}", force.body, deck::suggestion(force.body, names)));
     given.push_back(run->given(static_cast<std::size_t>(body - names.begin()), force));
+    run->of_python_.push_back(force.function);
   }
+  for (const StructureOfPython& structure : structures) run->of_python_.push_back(structure.object);
   run->being_made_.resize(names.size(), nullptr);
+  use_chosen_threads();
+  std::unique_ptr<Simulation> made;
   {
     const py::gil_scoped_release release;
     with_places(run->deck_, [&] {
       Start start(setup);
       if (!structures.empty()) {
         const py::gil_scoped_acquire acquire;
-        attach(structures, start.impactors);
+        attach(structures, start.impactors, run->calls_);
       }
-      run->simulation_ = std::make_unique<Simulation>(setup, std::move(start), std::move(given));
+      made = std::make_unique<Simulation>(setup, std::move(start), std::move(given));
     });
   }
+  run->simulation_ = std::move(made);  // with the GIL: other threads may have a body that a user force was given
+  run->note_clock();
   run->has_structures_ = !structures.empty();
   run->loop_.emplace(*run->simulation_);
   const auto row = run->simulation().monitors().row();
@@ -101,25 +114,49 @@ std::shared_ptr<Run> Run::of(deck::Deck deck, const std::vector<UserForceFunctio
 }
 
 UserForceOnBody Run::given(std::size_t body, const UserForceFunction& force) {
-  return {body, force.name, [this, body, name = force.name, function = kept(force.function)](double time, const Body& particles, VectorArray& density) {
+  return {body, force.name, [this, body, name = force.name, function = force.function](double time, const Body& particles, VectorArray& density) {
             add_user_force(body, name, *function, time, particles, density);
           }};
 }
 
-void Run::add_user_force(std::size_t index, const std::string& name, const py::function& function, double time, const Body& body, VectorArray& density) {
-  const py::gil_scoped_acquire acquire;
-  if (!is_made()) being_made_[index] = &body;
-  try {
-    spread(function(time, BodyOfRun{shared_from_this(), index}), body.name + "." + name, body.particles, density);
-  } catch (...) {
+void Run::add_user_force(std::size_t index, const std::string& name, const py::object& function, double time, const Body& body, VectorArray& density) {
+  const std::string full_name = body.name + "." + name;
+  calls_.call("the user force " + full_name, [&] {
+    if (!function) throw RunError(fmt::format("the user force {} was deleted with its simulation.", full_name));
+    if (!is_made()) being_made_[index] = &body;
+    try {
+      spread(function(time, BodyOfRun{{py::cast(shared_from_this()), this, index}}), full_name, body.particles, density);
+    } catch (...) {
+      if (!is_made()) being_made_[index] = nullptr;
+      throw;
+    }
     if (!is_made()) being_made_[index] = nullptr;
-    throw;
-  }
-  if (!is_made()) being_made_[index] = nullptr;
+  });
+}
+
+int Run::traverse(visitproc visit, void* arg) const {
+  if (weak_from_this().use_count() > 1) return 0;  // another owner, which the collector does not see
+  for (const std::shared_ptr<py::object>& object : of_python_) Py_VISIT(object->ptr());
+  return 0;
+}
+
+void Run::release() {
+  if (weak_from_this().use_count() > 1) return;
+  for (const std::shared_ptr<py::object>& object : of_python_) *object = py::object();
+}
+
+Simulation& Run::between_steps() const {
+  turns_.wait_for_step();
+  return *simulation_;
+}
+
+Clock Run::clock() const {
+  const std::lock_guard lock(clock_mutex_);
+  return clock_;
 }
 
 const Body& Run::body(std::size_t index) const {
-  if (is_made()) return simulation_->bodies()[index];
+  if (is_made()) return between_steps().bodies()[index];
   if (being_made_[index]) return *being_made_[index];
   throw RunError("this body belongs to a simulation that failed to build.");
 }
@@ -146,6 +183,7 @@ void Run::step() {
 
 void Run::run(std::optional<double> until, const py::object& after_steps, long every, const py::object& self) {
   if (every < 1) throw InputError(fmt::format("every is {}, but it must be a number of steps, at least 1.", every));
+  if (until && std::isnan(*until)) throw InputError("until is nan, but it must be a time [s].");
   expect_usable();
   long called_at = simulation_->clock().step;
   while (!is_there(until)) {
@@ -153,38 +191,56 @@ void Run::run(std::optional<double> until, const py::object& after_steps, long e
     advance(until, after_steps.is_none() ? std::numeric_limits<long>::max() : to_call);
     if (after_steps.is_none() || simulation_->clock().step < called_at + every) continue;
     called_at = simulation_->clock().step;
-    if (after_steps(self).ptr() == Py_False) return;
-    expect_usable();  // the callback may have performed steps
+    const py::object go_on = after_steps(self);
+    if (!go_on.is_none() && !py::bool_(go_on)) return;
   }
 }
 
 void Run::advance(std::optional<double> until, long most) {
+  expect_usable();  // the callback may have performed steps
   if (is_there(until)) return;
   {
-    // User forces run Python code, in which Python's handler would raise KeyboardInterrupt and leave the step incomplete. So signals are recorded
-    // during steps, and handed to Python between them.
-    const StopSignals signals(StopSignals::SecondInterrupt::recorded);
-    const py::gil_scoped_release release;
     const Flag busy(is_busy_);
-    const auto leave_at = std::chrono::steady_clock::now() + between_looks_for_signals;
-    const auto is_on_time = [&] { return std::chrono::steady_clock::now() <= leave_at; };
-    long done = 0;
-    is_whole_ = false;
-    try {
-      loop_->run({.after_step =
-                      [&] {
-                        note_step();
-                        return ++done < most && !is_there(until) && is_on_time();
-                      },
-                  .in_increment = is_on_time});
-    } catch (const RunError&) {
-      folder_.reset();  // the results are closed
-      throw;
-    }
-    is_whole_ = true;
-    if (folder_ && !loop_->has_results()) close_results();  // finished
+    turns_.let_others_read();
+    use_chosen_threads();
+    take_steps(until, most);
   }
   throw_if_interrupted();
+}
+
+void Run::take_steps(std::optional<double> until, long most) {
+  // User forces run Python code, in which Python's handler would raise KeyboardInterrupt and leave the step incomplete. So signals are recorded
+  // during steps, and handed to Python between them.
+  const StopSignals signals(StopSignals::SecondInterrupt::recorded);
+  const Turns::Step step(turns_);
+  const py::gil_scoped_release release;
+  const auto leave_at = std::chrono::steady_clock::now() + between_looks_for_signals;
+  const auto may_continue = [&] { return std::chrono::steady_clock::now() <= leave_at && !turns_.others_wait(); };
+  long done = 0;
+  is_whole_ = false;
+  try {
+    loop_->run({.after_step =
+                    [&] {
+                      note_clock();
+                      note_step();
+                      return ++done < most && !is_there(until) && may_continue();
+                    },
+                .in_increment = may_continue});
+  } catch (const RunError&) {  // the loop has closed the results
+    end_failed_results("");
+    calls_.rethrow();
+    throw;
+  } catch (const std::exception& error) {
+    end_failed_results(error.what());
+    throw;
+  }
+  is_whole_ = true;
+  if (folder_ && !loop_->has_results()) end_results();  // finished
+}
+
+void Run::note_clock() {
+  const std::lock_guard lock(clock_mutex_);
+  clock_ = simulation_->clock();
 }
 
 void Run::note_step() {
@@ -208,7 +264,7 @@ void Run::throw_if_interrupted() {
   throw exception;
 }
 
-void Run::write_results(const std::optional<std::string>& folder, bool resume, bool overwrite) {
+void Run::write_results(const std::optional<std::filesystem::path>& folder, bool resume, bool overwrite) {
   expect_usable();
   if (folder_) throw InputError("results are already being written; call write_results once, before the first step.");
   if (simulation_->clock().step > 0)
@@ -216,7 +272,8 @@ void Run::write_results(const std::optional<std::string>& folder, bool resume, b
   if (resume && has_structures_)
     throw InputError("write_results was given resume=True, but checkpoints do not contain the state of structures; start the run again with overwrite=True.");
   if (resume && overwrite) throw InputError("write_results was given both resume and overwrite; a run is either resumed or replaced.");
-  const std::filesystem::path path = results_path(folder.value_or(setup().output.folder), "write_results");
+  const std::filesystem::path path = worded([&] { return results_path(folder ? folder->string() : setup().output.folder, "write_results"); });
+  use_chosen_threads();
   const EarlierRun earlier = resume ? EarlierRun::resume : overwrite ? EarlierRun::replace : EarlierRun::keep;
   with_places(deck_, [&] {
     std::optional<RunFolder> claimed(
@@ -231,16 +288,39 @@ void Run::write_results(const std::optional<std::string>& folder, bool resume, b
   for (const std::string& note : notes)
     if (PyErr_WarnEx(PyExc_UserWarning, note.c_str(), 1) != 0) throw py::error_already_set();
   if (!resume) return;
+  note_clock();
   const auto row = simulation_->monitors().row();
   rows_.assign(1, {row.begin(), row.end()});
 }
 
 void Run::close_results() {
+  if (is_busy_) throw RunError("the simulation is in the middle of a step; close the results between steps, such as in the callback of run.");
+  use_chosen_threads();
+  end_results();
+}
+
+void Run::end_results() {
   if (!folder_) return;
   if (is_whole_) loop_->interrupt();  // of a finished run, the results are closed
-  const RunFolder folder = std::move(*folder_);
-  folder_.reset();
-  report::write_report(folder.path());
+  report_on(*std::exchange(folder_, std::nullopt));
 }
+
+/// `failure`: where the loop has not closed the results as those of a failed run.
+void Run::end_failed_results(const std::string& failure) {
+  if (!folder_) return;
+  RunFolder folder = *std::exchange(folder_, std::nullopt);
+  try {
+    if (!failure.empty()) {
+      const double seconds = loop_->seconds();
+      loop_.emplace(*simulation_);  // closes the files
+      output::write_whole_file(output::ResultsFolder::run_in(folder.path()), run_report(*simulation_, Outcome::failed, failure, seconds, {}).text());
+    }
+    report_on(std::move(folder));
+  } catch (const std::exception&) {
+    // the first error is the one to report
+  }
+}
+
+void Run::report_on(RunFolder folder) const { report::write_report(folder.path()); }
 
 }  // namespace perimpact::python

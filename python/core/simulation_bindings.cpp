@@ -4,12 +4,17 @@
 #include <pybind11/stl.h>
 #include <pybind11/stl/filesystem.h>
 
+#include "arguments.hpp"
 #include "base/error.hpp"
 #include "base/parallel.hpp"
+#include "collected.hpp"
 #include "io/deck/setup_to_text.hpp"
+#include "kept.hpp"
 #include "mesh.hpp"
 #include "run.hpp"
+#include "threads.hpp"
 #include "tree.hpp"
+#include "words.hpp"
 
 namespace perimpact::python {
 
@@ -31,22 +36,22 @@ using namespace py::literals;
 /// Issues a FutureWarning for each deprecated key.
 deck::Deck with_warnings(deck::Deck deck) {
   for (const std::string& warning : deck.warnings)
-    if (PyErr_WarnEx(PyExc_FutureWarning, warning.c_str(), 2) != 0) throw py::error_already_set();
+    if (PyErr_WarnEx(PyExc_FutureWarning, in_words_of_python(warning).c_str(), 2) != 0) throw py::error_already_set();
   return deck;
 }
 
 deck::Deck deck_of_file(const std::filesystem::path& file, const py::object& changes) {
   deck::YamlNode tree = deck::read_deck_tree(file);
   deck::SurfacesInMemory surfaces;
-  if (!changes.is_none()) change(tree, py::cast<py::dict>(changes), surfaces);
-  return with_warnings(deck::deck_of_tree(std::move(tree), file.string(), file.parent_path(), surfaces));
+  if (!changes.is_none()) change(tree, dict_in(changes, "set", "such as {\"time.end\": \"10 us\"}"), surfaces);
+  return with_warnings(worded([&] { return deck::deck_of_tree(std::move(tree), file.string(), file.parent_path(), surfaces); }));
 }
 
 deck::Deck deck_of_dict(const py::dict& setup, const std::filesystem::path& folder) {
   constexpr const char* whole = "the set-up";
   deck::SurfacesInMemory surfaces;
   deck::YamlNode tree = tree_of(setup, whole, surfaces);
-  return with_warnings(deck::deck_of_tree(std::move(tree), whole, folder, surfaces));
+  return with_warnings(worded([&] { return deck::deck_of_tree(std::move(tree), whole, folder, surfaces); }));
 }
 
 /// Replaces the names of meshes in memory by the meshes.
@@ -67,9 +72,15 @@ py::object dict_of(const Setup& setup) {
 std::vector<UserForceFunction> user_forces(const py::object& forces) {
   std::vector<UserForceFunction> all;
   if (forces.is_none()) return all;
-  for (const auto& [body, of_body] : py::cast<py::dict>(forces))
-    for (const auto& [name, function] : py::cast<py::dict>(of_body))
-      all.push_back({py::cast<std::string>(body), py::cast<std::string>(name), py::cast<py::function>(function)});
+  for (const auto& [key, of_body] : dict_in(forces, "forces", "{\"body\": {\"name\": function}}")) {
+    const std::string body = name_in(key, "forces", "bodies"), its = fmt::format("forces[\"{}\"]", body);
+    for (const auto& [inner_key, function] : dict_in(of_body, its, "{\"name\": function}")) {
+      const std::string name = name_in(inner_key, its, "user forces");
+      if (!py::isinstance<py::function>(function))
+        throw fccda::InputError(fmt::format("{}[\"{}\"] is {}, but it must be a function of time and body.", its, name, type_in_words(function)));
+      all.push_back({body, name, kept(py::reinterpret_borrow<py::object>(function))});
+    }
+  }
   return all;
 }
 
@@ -79,7 +90,7 @@ const Particles& particles_of(const BodyOfRun& body) { return body.get().particl
 
 /// A view, or a copy while the simulation is being built, since construction may still fail.
 py::object array_of_slots(const BodyOfRun& body, VectorArray Particles::*member) {
-  const py::array view = view_of(particles_of(body).*member, py::cast(body.run));
+  const py::array view = view_of(particles_of(body).*member, body.simulation);
   return body.run->is_made() ? py::object(view) : view.attr("copy")();
 }
 
@@ -125,11 +136,13 @@ std::optional<std::array<std::size_t, 3>> lattice_shape(const BodyOfRun& body) {
 }
 
 void bind_body(py::module_& module) {
-  py::class_<BodyOfRun>(module, "Body", R"(A deformable body of a simulation.
+  py::class_<BodyOfRun>(module, "Body", collected<BodyOfRun>(), R"(A deformable body of a simulation.
 
 Arrays are indexed by *slots*: the cells of the filled lattice, x fastest, or the points of a point cloud, in both cases with some empty ones. `slots` lists
 those of the particles in order, so `body.positions[body.slots]` has one row per particle. `positions`, `velocities` and `force_densities` are read-only
-views of the simulation's memory and show every later step. The other arrays are computed on access, with 0 in empty slots.)")
+views of the simulation's memory and show every later step. The other arrays are computed on access, with 0 in empty slots.
+
+The slots of a body with a moving window keep their numbers, but when the window moves their particles change: then row n is another particle than before.)")
       .def_property_readonly(
           "name", [](const BodyOfRun& body) { return body.get().name; }, "Name in the set-up.")
       .def("__len__", [](const BodyOfRun& body) { return particles_of(body).size(); })
@@ -187,7 +200,7 @@ views of the simulation's memory and show every later step. The other arrays are
 // ---- impactors ----
 
 py::array_t<BlowRow> contacts_of(const ImpactorOfRun& impactor) {
-  const std::vector<ContactImpulse>& contact_impulses = impactor.get().last_step().contact_impulses;
+  const std::vector<ContactImpulse>& contact_impulses = impactor.get().last_step().contact_impulses;  // while this thread has the GIL
   py::array_t<BlowRow> array(static_cast<py::ssize_t>(contact_impulses.size()));
   BlowRow* row = array.mutable_data();
   for (const ContactImpulse& contact_impulse : contact_impulses) {
@@ -205,11 +218,13 @@ py::array_t<BlowRow> contacts_of(const ImpactorOfRun& impactor) {
   return array;
 }
 
-double step_of(const ImpactorOfRun& impactor) { return impactor.run->simulation().clock().dt; }
+double step_of(const ImpactorOfRun& impactor) { return impactor.run->clock().dt; }
 
 void bind_impactor(py::module_& module) {
   PYBIND11_NUMPY_DTYPE(BlowRow, body, panel, slot, time_fraction, depth, position, normal, impulse);
-  py::class_<ImpactorOfRun>(module, "Impactor", "A rigid impactor of a simulation. Vectors are in world axes.")
+  py::class_<ImpactorOfRun>(module, "Impactor", collected<ImpactorOfRun>(), R"(An impactor of a simulation. Vectors are in world axes.
+
+It has two sets of vertices: `current_vertices`, those of its panels as given, with `faces`; and `vertices`, those of its surface, welded, with `triangles`.)")
       .def_property_readonly(
           "name", [](const ImpactorOfRun& impactor) { return impactor.get().name(); }, "Name in the set-up.")
       .def("__repr__", [](const ImpactorOfRun& impactor) { return fmt::format("<perimpact.Impactor {}>", impactor.get().name()); })
@@ -241,35 +256,42 @@ body (index in the set-up), slot, panel (number in the given surface; -1 with th
 position (of the relocated particle) [m], normal (outward normal of the surface), impulse (on the impactor) [N s].)")
       .def_property_readonly(
           "current_vertices", [](const ImpactorOfRun& impactor) { return array_of(impactor.get().vertices()); },
-          "(n, 3) current positions of the vertices of its panels, deformed where the impactor deforms [m], a copy.")
+          "(p, 3) current positions of the vertices of its panels in world axes, deformed where the impactor deforms [m], a copy. As many as in the file or "
+          "Mesh, before welding; `faces` has their numbers.")
+      .def_property_readonly(
+          "faces", [](const ImpactorOfRun& impactor) { return array_of(impactor.get().surface().panels().panels); },
+          "(q, 4) vertex numbers of each panel in `current_vertices`, the fourth -1 for triangles; a copy. The field panel of `contacts` is a row of it.")
       .def_property_readonly(
           "vertices", [](const ImpactorOfRun& impactor) { return array_of(impactor.get().surface().vertices()); },
-          "(n, 3) vertices of the surface in its frame [m], a copy.")
+          "(n, 3) vertices of the surface in its frame, welded and not deformed [m], a copy; `triangles` has their numbers.")
       .def_property_readonly(
           "triangles", [](const ImpactorOfRun& impactor) { return vertex_numbers_of(impactor.get().surface().triangles()); },
-          "(m, 3) vertex numbers of each triangle, counterclockwise seen from outside; a copy.");
+          "(m, 3) vertex numbers of each triangle in `vertices`, counterclockwise seen from outside; a copy.");
 }
 
 // ---- simulations ----
 
-py::dict bodies_of(const std::shared_ptr<Run>& run) {
+py::dict bodies_of(const py::object& self) {
+  Run& run = self.cast<Run&>();
   py::dict bodies;
-  for (std::size_t b = 0; b < run->simulation().bodies().size(); ++b) bodies[py::str(run->simulation().bodies()[b].name)] = BodyOfRun{run, b};
+  for (std::size_t b = 0; b < run.setup().bodies.size(); ++b) bodies[py::str(run.setup().bodies[b].name)] = BodyOfRun{{self, &run, b}};
   return bodies;
 }
 
-py::dict impactors_of(const std::shared_ptr<Run>& run) {
+py::dict impactors_of(const py::object& self) {
+  Run& run = self.cast<Run&>();
   py::dict impactors;
-  for (std::size_t i = 0; i < run->simulation().impactors().size(); ++i) impactors[py::str(run->simulation().impactors()[i].name())] = ImpactorOfRun{run, i};
+  for (std::size_t i = 0; i < run.setup().impactors.size(); ++i) impactors[py::str(run.setup().impactors[i].name)] = ImpactorOfRun{{self, &run, i}};
   return impactors;
 }
 
 py::dict history_of(const Run& run) {
   const auto& columns = run.simulation().monitors().columns();
+  const std::size_t rows = run.rows().size();  // one number for all columns: a step may add a row
   py::dict history;
   for (std::size_t c = 0; c < columns.size(); ++c) {
-    py::array_t<double> column(static_cast<py::ssize_t>(run.rows().size()));
-    for (std::size_t r = 0; r < run.rows().size(); ++r) column.mutable_at(static_cast<py::ssize_t>(r)) = run.rows()[r][c];
+    py::array_t<double> column(static_cast<py::ssize_t>(rows));
+    for (std::size_t r = 0; r < rows; ++r) column.mutable_at(static_cast<py::ssize_t>(r)) = run.rows()[r][c];
     history[py::str(columns[c].heading())] = column;
   }
   return history;
@@ -289,18 +311,25 @@ py::dict history_columns_of(const Run& run) {
 
 py::dict timers_of(const Run& run) {
   py::dict timers;
-  for (const auto& row : run.simulation().timers().rows()) timers[py::str(row.name)] = row.seconds;
+  for (const auto& row : run.between_steps().timers().rows()) timers[py::str(row.name)] = row.seconds;
   return timers;
 }
 
-void use_threads(int count) {
-  if (count < 1) throw fccda::InputError(fmt::format("use_threads was given {}, but it takes at least one thread.", count));
-  fccda::use_threads(count);
+int thread_count() {
+  use_chosen_threads();
+  return fccda::thread_count();
+}
+
+std::string state_hash(const Run& run) {
+  Simulation& simulation = run.between_steps();
+  use_chosen_threads();
+  return fmt::format("{:016x}", simulation.state_hash());
 }
 
 std::vector<std::string> warnings_of_run(const Run& run) {
-  std::vector<std::string> warnings = run.simulation().warnings();
-  for (std::string& warning : run.simulation().closing_warnings()) warnings.push_back(std::move(warning));
+  const Simulation& simulation = run.between_steps();
+  std::vector<std::string> warnings = simulation.warnings();
+  for (std::string& warning : simulation.closing_warnings()) warnings.push_back(std::move(warning));
   return warnings;
 }
 
@@ -309,9 +338,12 @@ std::vector<std::string> warnings_of_run(const Run& run) {
 void bind_simulation(py::module_& module) {
   bind_body(module);
   bind_impactor(module);
-  py::class_<Run, std::shared_ptr<Run>>(module, "Simulation", R"(A simulation of peridynamic bodies and rigid impactors.
+  py::class_<Run, std::shared_ptr<Run>>(module, "Simulation", collected<Run>(), R"(A simulation of peridynamic bodies and rigid impactors.
 
-Created from a deck (`Simulation.from_deck`) or from a dict with the same keys. Both are bitwise identical to the command line in every step.)")
+Created from a deck (`Simulation.from_deck`) or from a dict with the same keys. Both are bitwise identical to the command line in every step.
+
+Other threads of Python may read it during `run`: what depends on the state waits for the end of the step in progress, and the run continues afterwards. `time`,
+`step_number`, `is_finished` and `history` do not wait. Arrays that are views (Body) change during a step: copy what another thread reads later.)")
       .def(
           py::init([](const py::dict& setup, const std::filesystem::path& folder, const py::object& forces, const py::object& structures) {
             return Run::of(deck_of_dict(setup, folder), user_forces(forces), structures_of(structures));
@@ -324,7 +356,8 @@ the positions of `body`, a Body: an array of shape (3,) for all particles, (part
 structures: {"impactor": object}: objects that move the surfaces of impactors, such as finite-element models. Each has `masses`, (n,) lumped masses of the
 vertices [kg], inf where the motion is prescribed; `advance(time, dt)`, which returns the positions of the vertices at time + dt without the contact of
 this step, (n, 3) [m]; `apply(impulses)`, which takes the contact impulses of the step, (n, 3) [N s], and changes velocities by impulses/masses and
-positions by dt impulses/masses; and may have `energy` [J]: kinetic and elastic energy plus dissipation, less the work of supports and loads.
+positions by dt impulses/masses; and may have `energy` [J]: kinetic and elastic energy plus dissipation, less the work of supports and loads. n is the number of
+vertices of the Mesh.
 
 Raises InputError where the set-up is invalid.)")
       .def_static(
@@ -346,8 +379,9 @@ forces, structures: as for Simulation.)")
           "until"_a = py::none(), "callback"_a = py::none(), "every"_a = 1,
           R"(Runs until the time `until` [s], or to the end of the set-up.
 
-callback(simulation) is called after every `every` steps; if it returns False, run() returns and may be called again later.
-Other Python threads continue meanwhile, and Ctrl-C ends the run after a complete step.)")
+callback(simulation) is called after every `every` steps; if it returns something false other than None, run() returns and may be called again later.
+Other Python threads continue meanwhile, and Ctrl-C ends the run after a complete step. An exception in a user force or structure ends the simulation, and its
+results as those of a failed run.)")
       .def(
           "write_results", &Run::write_results, "folder"_a = py::none(), "resume"_a = false, "overwrite"_a = false,
           R"(Enables output to `folder`, or output.folder of the set-up, as by the command line: history, frames, checkpoints, and run.json and report.html at the end.
@@ -355,19 +389,21 @@ Other Python threads continue meanwhile, and Ctrl-C ends the run after a complet
 Call before the first step. resume: restarts from the checkpoint in the folder, as `perimpact run --resume` does. overwrite: replaces the run in the
 folder, as `--force` does; without it a folder that contains a run is refused.)")
       .def("close_results", &Run::close_results,
-           "Writes a checkpoint, run.json and report.html of an unfinished run, which `write_results(resume=True)` can resume later.")
+           "Writes a checkpoint, run.json and report.html of an unfinished run, which `write_results(resume=True)` can resume later. Raises RunError in the "
+           "middle "
+           "of a step.")
       .def_property_readonly(
           "title", [](const Run& run) { return run.setup().title; }, "Title of the set-up.")
       .def_property_readonly(
-          "time", [](const Run& run) { return run.simulation().clock().time(); }, "Current simulation time [s].")
+          "time", [](const Run& run) { return run.clock().time(); }, "Current simulation time [s].")
       .def_property_readonly(
-          "dt", [](const Run& run) { return run.simulation().clock().dt; }, "Time step [s].")
+          "dt", [](const Run& run) { return run.clock().dt; }, "Time step [s].")
       .def_property_readonly(
-          "step_number", [](const Run& run) { return run.simulation().clock().step; }, "Number of completed steps.")
+          "step_number", [](const Run& run) { return run.clock().step; }, "Number of completed steps.")
       .def_property_readonly(
-          "steps", [](const Run& run) { return run.simulation().clock().steps; }, "Total number of steps of the run.")
+          "steps", [](const Run& run) { return run.clock().steps; }, "Total number of steps of the run.")
       .def_property_readonly(
-          "is_finished", [](const Run& run) { return run.simulation().clock().is_finished(); }, "Whether the run has reached the end of the set-up.")
+          "is_finished", [](const Run& run) { return run.clock().is_finished(); }, "Whether the run has reached the end of the set-up.")
       .def_property_readonly("bodies", &bodies_of, "Bodies by name.")
       .def_property_readonly("impactors", &impactors_of, "Impactors by name.")
       .def_property_readonly("history", &history_of,
@@ -379,18 +415,19 @@ folder, as `--force` does; without it a folder that contains a run is refused.)"
           "setup", [](const Run& run) { return dict_of(run.setup()); }, "The resolved set-up, a dict in SI units that gives the same simulation.")
       .def_property_readonly("warnings", &warnings_of_run, "Warnings about the set-up and the run so far.")
       .def_property_readonly("timers", &timers_of, "Wall-clock seconds per phase of the step so far: {phase: seconds}.")
-      .def_property_readonly(
-          "state_hash", [](const Run& run) { return fmt::format("{:016x}", run.simulation().state_hash()); },
-          "Hash of the complete state, as in run.json: equal for bitwise identical states.")
+      .def_property_readonly("state_hash", &state_hash, "Hash of the complete state, as in run.json: equal for bitwise identical states.")
       .def("__repr__", [](const Run& run) {
-        const Clock& clock = run.simulation().clock();
+        const Clock clock = run.clock();
         return fmt::format("<perimpact.Simulation \"{}\", step {} of {}, t = {:.4g} s>", run.setup().title, clock.step, clock.steps, clock.time());
       });
   module.def(
       "read_deck", [](const std::filesystem::path& file, const py::object& set) { return dict_of(deck_of_file(file, set).setup); }, "file"_a, py::kw_only(),
       "set"_a = py::none(), "The set-up of a deck as a dict in SI units, to be modified and passed to Simulation. set: as for Simulation.from_deck.");
-  module.def("use_threads", &use_threads, "count"_a, "Sets the number of threads of a simulation. Results are bitwise reproducible across thread counts.");
-  module.def("thread_count", &fccda::thread_count, "Number of threads of a simulation.");
+  module.def(
+      "use_threads", &choose_threads, "count"_a,
+      "Sets the number of threads of simulations and contact detection, 1 to 1024, whichever thread of Python runs them. Results are bitwise reproducible "
+      "across thread counts.");
+  module.def("thread_count", &thread_count, "Number of threads of simulations and contact detection.");
 }
 
 }  // namespace perimpact::python

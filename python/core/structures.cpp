@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <memory>
 
+#include "arguments.hpp"
 #include "base/error.hpp"
 #include "io/deck/did_you_mean.hpp"
 #include "kept.hpp"
@@ -16,7 +17,7 @@ namespace {
 using fccda::InputError;
 
 void expect_member(const StructureOfPython& structure, const char* member, const char* meaning) {
-  if (!py::hasattr(structure.object, member))
+  if (!py::hasattr(*structure.object, member))
     throw InputError(fmt::format("the structure of impactor {} has no {}; it needs {}.", structure.impactor, member, meaning));
 }
 
@@ -28,28 +29,28 @@ std::vector<Vec3d> positions_in(const py::object& returned, const std::string& w
   return positions;
 }
 
-fccda::StructureSolver solver_of(const StructureOfPython& structure) {
-  const std::shared_ptr<py::object> object = kept(structure.object);
-  const std::string what = "what advance of the structure of impactor " + structure.impactor + " returned";
+fccda::StructureSolver solver_of(const StructureOfPython& structure, UserCalls& calls) {
+  const std::string its = "of the structure of impactor " + structure.impactor;
+  // calls f(object)
+  const auto call = [&calls, object = structure.object, its](const char* member, const auto& f) {
+    return calls.call(fmt::format("{} {}", member, its), [&] {
+      if (!*object) throw fccda::RunError(fmt::format("{} {} was deleted with its simulation.", member, its));
+      return f(*object);
+    });
+  };
   fccda::StructureSolver solver;
-  solver.advance = [object, what](const fccda::Step& step) {
-    const py::gil_scoped_acquire acquire;
-    return positions_in(object->attr("advance")(step.t0, step.dt), what);
+  solver.advance = [call, its](const fccda::Step& step) {
+    return call("advance",
+                [&](const py::object& object) { return positions_in(object.attr("advance")(step.t0, step.dt), "what advance " + its + " returned"); });
   };
-  solver.apply = [object](std::span<const Vec3d> impulses) {
-    const py::gil_scoped_acquire acquire;
-    object->attr("apply")(array_of(impulses));
-  };
-  if (py::hasattr(structure.object, "energy"))
-    solver.energy = [object] {
-      const py::gil_scoped_acquire acquire;
-      return py::cast<double>(object->attr("energy"));
-    };
+  solver.apply = [call](std::span<const Vec3d> impulses) { call("apply", [&](const py::object& object) { object.attr("apply")(array_of(impulses)); }); };
+  if (py::hasattr(*structure.object, "energy"))
+    solver.energy = [call] { return call("energy", [](const py::object& object) { return py::cast<double>(object.attr("energy")); }); };
   return solver;
 }
 
 std::vector<double> masses_of(const StructureOfPython& structure) {
-  const Numbers masses = Numbers::ensure(structure.object.attr("masses"));
+  const Numbers masses = Numbers::ensure(structure.object->attr("masses"));
   if (!masses || masses.ndim() != 1) {
     PyErr_Clear();
     throw InputError(fmt::format("the masses of the structure of impactor {} must be an array of one number [kg] for each vertex.", structure.impactor));
@@ -64,12 +65,12 @@ std::vector<double> masses_of(const StructureOfPython& structure) {
 std::vector<StructureOfPython> structures_of(const py::object& structures) {
   std::vector<StructureOfPython> all;
   if (structures.is_none()) return all;
-  for (const auto& [impactor, object] : py::cast<py::dict>(structures))
-    all.push_back({py::cast<std::string>(impactor), py::reinterpret_borrow<py::object>(object)});
+  for (const auto& [impactor, object] : dict_in(structures, "structures", "{\"impactor\": object}"))
+    all.push_back({name_in(impactor, "structures", "impactors"), kept(py::reinterpret_borrow<py::object>(object))});
   return all;
 }
 
-void attach(const std::vector<StructureOfPython>& structures, std::span<Impactor> impactors) {
+void attach(const std::vector<StructureOfPython>& structures, std::span<Impactor> impactors, UserCalls& calls) {
   std::vector<std::string> names;
   for (const Impactor& impactor : impactors) names.push_back(impactor.name());
   for (const StructureOfPython& structure : structures) {
@@ -80,7 +81,7 @@ void attach(const std::vector<StructureOfPython>& structures, std::span<Impactor
     expect_member(structure, "masses", "the lumped mass of each vertex [kg]");
     expect_member(structure, "advance", "advance(time, dt), which returns the positions of the vertices at time + dt");
     expect_member(structure, "apply", "apply(impulses), which takes the contact impulses of the step");
-    impactors[static_cast<std::size_t>(found - names.begin())].make_external(solver_of(structure), masses_of(structure));
+    impactors[static_cast<std::size_t>(found - names.begin())].make_external(solver_of(structure, calls), masses_of(structure));
   }
 }
 

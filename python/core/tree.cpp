@@ -2,8 +2,15 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <vector>
+
+#include "arguments.hpp"
+#include "base/error.hpp"
+#include "io/deck/key_path.hpp"
 #include "io/deck/overrides.hpp"
 #include "mesh.hpp"
+#include "words.hpp"
 
 namespace perimpact::python {
 
@@ -72,15 +79,17 @@ deck::YamlNode tree_of(const py::handle& value, const std::string& place, deck::
 
 void change(deck::YamlNode& tree, const py::dict& changes, deck::SurfacesInMemory& surfaces) {
   for (const auto& [key, value] : changes) {
-    if (!py::isinstance<py::str>(key))
-      deck::refuse("set", fmt::format("{} is a key, but keys must be strings such as \"time.end\".", std::string(py::str(key))));
-    const std::string path = py::cast<std::string>(key), place = "--set " + path;
-    if (py::isinstance<py::str>(value)) {
-      deck::apply_override(tree, path + "=" + py::cast<std::string>(value));
-      continue;
-    }
-    deck::apply_override(tree, path + "=");  // reports an invalid path
-    deck::set_value(tree, path, tree_of(value, place, surfaces), place);
+    const std::string path = name_in(key, "set", "keys of the deck, such as \"time.end\"");
+    const std::vector<std::string_view> keys = deck::keys_of(path);
+    if (std::find(keys.begin(), keys.end(), std::string_view()) != keys.end())
+      throw fccda::InputError(fmt::format("set[\"{}\"]: a key consists of names with dots between them, such as \"time.end\".", path));
+    const std::string place = std::string(deck::override_mark) + path;  // by which the reader recognises overrides
+    worded([&] {
+      if (py::isinstance<py::str>(value))
+        deck::set_value(tree, path, std::string_view(py::cast<std::string>(value)), place);
+      else
+        deck::set_value(tree, path, tree_of(value, place, surfaces), place);
+    });
   }
 }
 

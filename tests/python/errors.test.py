@@ -34,17 +34,26 @@ def in_building(test):
     test.assertEqual(f"error: {error.exception}\n", done.err)
 
 
-@claim("--set and set are equivalent: the same changes, the same messages")
+@claim("set makes the changes of --set, and its messages are the same but for the key in place of the option")
 def changes(test):
     deck = test.folder / test.deck()
     simulation = perimpact.Simulation.from_deck(deck, set={"time.end": "10 us", "bodies.plate.velocity": [0, 1, 0], "output.frames": 0})
     test.assertEqual(simulation.setup["time"]["end"], 10e-6)
     test.assertEqual(simulation.setup["bodies"]["plate"]["velocity"], [0, 1, 0])
-    for key, value, text in (("time.ned", "1", "1"), ("bodies.plate.spacing", -1.0, "-1.0"), ("time..end", "1", "1"), ("title.more", "x", "x")):
-        done = test.run_program("check", deck, "--set", f"{key}={text}")
+
+    def refused(changes):
         with test.assertRaises(perimpact.InputError) as error:
-            perimpact.Simulation.from_deck(deck, set={key: value})
-        test.assertEqual(f"error: {error.exception}\n", done.err)
+            perimpact.Simulation.from_deck(deck, set=changes)
+        return str(error.exception)
+
+    mistakes = {"time.ned": "1", "bodies.plate.spacing": -1.0, "title.more": "x", "time.end": "[1", "impactors.cylinder.position": [0, 0.04, 0]}
+    for key, value in mistakes.items():
+        done = test.run_program("run", deck, "--set", f"{key}={value}")
+        test.assertIn(f"--set {key}", done.err)
+        test.assertEqual(f"error: {refused({key: value})}\n", done.err.replace(f"--set {key}", f'set["{key}"]'))
+    test.assertEqual(refused({"time..end": 1}), 'set["time..end"]: a key consists of names with dots between them, such as "time.end".')
+    test.assertEqual(refused({3: 1}), 'set: 3 is a key, but keys are names of keys of the deck, such as "time.end".')
+    test.assertEqual(refused(["a"]), 'set is of type list, but it must be a dict such as {"time.end": "10 us"}.')
 
 
 @claim("a mistake in a dict is reported with its key instead of line and column")
@@ -120,10 +129,48 @@ def too_late(test):
     late.step()
     with test.assertRaisesRegex(perimpact.InputError, "step 1 is done, but results begin at t = 0"):
         late.write_results(str(test.folder / "others"))
-    with test.assertRaisesRegex(perimpact.InputError, "at least one thread"):
-        perimpact.use_threads(0)
-    with test.assertRaisesRegex(perimpact.InputError, "there is no checkpoint"):
-        perimpact.Simulation(package.SETUP).write_results(str(test.folder / "others"), resume=True)
+
+
+@claim("what a message advises can be done in Python: it names no option of the command line")
+def advice(test):
+    folder = test.folder / "results"
+
+    def refused(folder, setup=package.SETUP, **options):
+        with test.assertRaises(perimpact.InputError) as error:
+            perimpact.Simulation(setup).write_results(folder, **options)
+        test.assertNotIn("--", str(error.exception))
+        return str(error.exception)
+
+    test.assertEqual(refused(folder, resume=True), f"there is no checkpoint {folder}/checkpoint.h5, so there is nothing to resume; leave out resume=True.")
+    simulation = perimpact.Simulation(package.SETUP)
+    simulation.write_results(folder)
+    simulation.run(until=10e-6)
+    simulation.close_results()
+    other = copy.deepcopy(package.SETUP)
+    other["bodies"]["plate"]["material"]["density"] = 7000
+    test.assertTrue(refused(folder, other, resume=True).endswith("resume with the same deck, or start a new run without resume=True."))
+    other = copy.deepcopy(package.SETUP)
+    other["time"]["step"] = 0.5 * simulation.dt
+    test.assertTrue(refused(folder, other, resume=True).endswith(f"resume with time.step = {simulation.dt!r} in the set-up."))
+    test.assertIn(f'write_results("{folder}", resume=True) or replace it with overwrite=True', refused(folder))
+    (test.folder / "file").write_text("no folder")
+    test.assertTrue(refused(test.folder / "file").endswith("Choose another one."), refused(test.folder / "file"))
+    test.assertIn("expand it with os.path.expandvars", refused("$SCRATCH/results"))
+
+
+@claim("paths may be text or pathlib.Path wherever a file or folder is named")
+def paths(test):
+    deck = test.folder / test.deck()
+    test.assertEqual(perimpact.read_deck(deck), perimpact.read_deck(str(deck)))
+    stl = test.folder / "triangle.obj"
+    stl.write_text("v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n")
+    test.assertEqual(perimpact.Mesh.read(stl).faces.tolist(), [[0, 1, 2, -1]])
+    test.assertEqual(perimpact.Mesh.read(str(stl)).faces.tolist(), [[0, 1, 2, -1]])
+    for folder in test.folder / "one", str(test.folder / "two"):
+        simulation = perimpact.Simulation.from_deck(deck)
+        simulation.write_results(folder)
+        simulation.run()
+    test.assertEqual(test.report("one")["state_hash"], test.report("two")["state_hash"])
 
 
 @claim("Ctrl-C ends a run after a complete step, other Python threads continue meanwhile, and the run can be resumed")

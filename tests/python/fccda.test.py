@@ -234,6 +234,17 @@ def refusals(test):
         fccda.Surface(lid)
     with test.assertRaisesRegex(InputError, "or pass clip=True if this is intended"):
         fccda.ContactDetector(box, boxes=[([1, 2, 2], [0.5, 0, 0])])
+    free = fccda.RigidBody(1, free_dofs=["x"])
+    for act, sentence in (
+        (lambda: free.drive("q", 1.0), 'degree is "q", but it must be one of x, y, z, rx, ry, rz.'),
+        (lambda: free.drive("x", 1.0), "degree x is free, so its velocity cannot be prescribed; leave it out of free_dofs, or drive another one."),
+        (lambda: fccda.RigidBody(1, free_dofs=["q"]), 'free_dofs has "q", which is not a degree of freedom; use x, y, z, rx, ry, rz.'),
+        (lambda: fccda.Surface(fccda.Mesh.box([1, 1, 1]), weld=-1), "weld is -1 m, but it must be at least 0 and finite."),
+        (lambda: fccda.Surface(fccda.Mesh.box([1, 1, 1]), weld=nan), "weld is nan m, but it must be at least 0 and finite."),
+    ):
+        with test.assertRaises(InputError) as error:
+            act()
+        test.assertEqual(str(error.exception), sentence)
     test.assertEqual((len(fccda.Mesh.box([1, 2, 3])), len(fccda.Mesh.sphere(2)) > 1000), (12, True))
 
 

@@ -149,6 +149,8 @@ def refused(test):
         return str(raised.exception)
 
     net = Net(1.0, 1.0)
+    test.assertEqual(complaint(3), 'structures is of type int, but it must be a dict {"impactor": object}.')
+    test.assertEqual(complaint({3: net}), "structures: 3 is a key, but keys are names of impactors.")
     test.assertIn("impactor nets, which does not exist", complaint({"nets": net}))
     test.assertIn("has no masses", complaint({"net": object()}))
     net.masses = np.ones(3)

@@ -1,6 +1,7 @@
 """The stubs match the module, and the reference page matches both."""
 
 import ast
+import importlib
 import inspect
 import re
 import subprocess
@@ -20,6 +21,11 @@ def modules():
 
 def stubbed(stub):
     return {node.name: node for node in ast.parse(stub.read_text()).body if isinstance(node, (ast.ClassDef, ast.FunctionDef)) and not node.name.startswith("_")}
+
+
+def imported(stub):
+    """What the stub takes from other modules of the package."""
+    return {alias.asname for node in ast.parse(stub.read_text()).body if isinstance(node, ast.ImportFrom) and node.level == 1 for alias in node.names}
 
 
 def public(names):
@@ -83,8 +89,8 @@ def plain(default):
 def names(test):
     for module, stub in modules():
         nodes = stubbed(stub)
-        wanted = public(nodes) | ({"fccda"} if module is perimpact else {"Mesh"})
-        test.assertEqual(set(module.__all__), wanted)
+        test.assertEqual(set(module.__all__), public(nodes) | imported(stub))
+        test.assertEqual({name for name in module.__all__ if not hasattr(module, name)}, set())
         for name, node in nodes.items():
             if not isinstance(node, ast.ClassDef):
                 continue
@@ -130,6 +136,28 @@ def docstrings(test):
                 test.assertTrue(text and text.strip(), f"{name}.{item.name}")
                 if is_property(item) and "float64" in ast.unparse(item.returns) and item.name not in ("rotation", "history"):
                     test.assertRegex(text, r"\[[^\]]+\]", f"{name}.{item.name} lacks its unit")
+
+
+@claim("perimpact.modes is there without an import of its own, and also runs as a program")
+def modes(test):
+    program = "import perimpact; print(perimpact.modes.normalised.__name__)"
+    environment = {**test.environment, "PYTHONPATH": sys.path[0]}
+    for arguments, words in (["-c", program], "normalised"), (["-W", "error", "-m", "perimpact.modes", "--help"], "usage: python3 -m perimpact.modes"):
+        done = subprocess.run([sys.executable, *arguments], env=environment, capture_output=True, text=True)
+        test.assertEqual((done.returncode, done.stderr), (0, ""))
+        test.assertIn(words, done.stdout)
+    with test.assertRaisesRegex(AttributeError, "module 'perimpact' has no attribute 'mode'"):
+        perimpact.mode
+
+
+@claim("the reference page has every public name of perimpact, perimpact.fccda, perimpact.results and perimpact.modes")
+def reference_names(test):
+    page = (package.ROOT / "docs" / "guide" / "python_reference.md").read_text()
+    for module in perimpact, perimpact.fccda, importlib.import_module("perimpact.results"), perimpact.modes:
+        own = {name for name, thing in vars(module).items() if not name.startswith("_") and getattr(thing, "__module__", "") == module.__name__ and callable(thing)}
+        test.assertGreater(len(own), 2)
+        absent = {name for name in own - {"main"} if f"\n### {module.__name__}.{name}\n" not in page}
+        test.assertEqual(absent, set(), module.__name__)
 
 
 @claim("the reference page matches the output of python/reference.py")

@@ -114,6 +114,16 @@ def refused(test):
     with test.assertRaises(perimpact.InputError) as error:
         made(lambda time, body: 0, body="plat")
     test.assertEqual(str(error.exception), "forces refers to body plat, which does not exist; did you mean plate?")
+    for forces, sentence in (
+        ([1], 'forces is of type list, but it must be a dict {"body": {"name": function}}.'),
+        ({3: {"own": print}}, "forces: 3 is a key, but keys are names of bodies."),
+        ({"plate": print}, 'forces["plate"] is of type builtin_function_or_method, but it must be a dict {"name": function}.'),
+        ({"plate": {3: print}}, 'forces["plate"]: 3 is a key, but keys are names of user forces.'),
+        ({"plate": {"own": 3}}, 'forces["plate"]["own"] is of type int, but it must be a function of time and body.'),
+    ):
+        with test.assertRaises(perimpact.InputError) as error:
+            perimpact.Simulation(free_plate(), forces=forces)
+        test.assertEqual(str(error.exception), sentence)
     with test.assertRaises(perimpact.RunError) as error:
         made(lambda time, body: [np.nan, 0, 0])
     test.assertIn("plate.own is not finite on 960 particles", str(error.exception))

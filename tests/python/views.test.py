@@ -126,4 +126,45 @@ def surface(test):
     test.assertEqual(cylinder.mass, 1)
 
 
+@claim("faces are the panels of a surface over current_vertices, numbered as in contacts, where the surface is welded and where it is not")
+def faces(test):
+    def area(vertices, triangles):
+        corners = vertices[triangles]
+        return 0.5 * np.linalg.norm(np.cross(corners[:, 1] - corners[:, 0], corners[:, 2] - corners[:, 0]), axis=1).sum()
+
+    box = perimpact.Mesh.box([0.04, 0.04, 0.04])
+    triangles = np.concatenate([box.faces[:, [0, 1, 2]], box.faces[box.faces[:, 3] >= 0][:, [0, 2, 3]]])
+    apart = perimpact.Mesh(box.vertices[triangles].reshape(-1, 3), np.arange(3 * len(triangles)).reshape(-1, 3))  # as in an STL file
+    setup = copy.deepcopy(package.SETUP)
+    setup["impactors"]["cylinder"]["surface"] = {"file": apart}
+    simulation = perimpact.Simulation(setup)
+    simulation.run(until=15e-6)
+    block = simulation.impactors["cylinder"]
+    test.assertEqual((block.vertices.shape, block.current_vertices.shape, block.faces.shape), ((8, 3), (36, 3), (12, 4)))
+    test.assertEqual(block.faces.tolist(), apart.faces.tolist())
+    for vertices, numbers in (block.current_vertices, block.faces[:, :3]), (block.vertices, block.triangles):
+        np.testing.assert_allclose(area(vertices, numbers), 6 * 0.04**2, rtol=1e-12)  # 12 triangles
+    contacts = block.contacts
+    test.assertGreater(len(contacts), 0)
+    corners = block.current_vertices[block.faces[contacts["panel"], :3]]
+    normals = np.cross(corners[:, 1] - corners[:, 0], corners[:, 2] - corners[:, 0])
+    np.testing.assert_allclose(normals / np.linalg.norm(normals, axis=1)[:, None], contacts["normal"], rtol=0, atol=1e-12)
+
+
+@claim("when a moving window moves, slots keep their numbers and their particles change")
+def moving_window(test):
+    setup = copy.deepcopy(package.SETUP)
+    setup["bodies"]["plate"].update(shape={"box": {"size": [0.08, 0.06, 0.02]}}, moving_window={"follow": "cylinder", "axis": "x", "start_after": 0})
+    setup["impactors"]["cylinder"].update(position=[0, 0.0505, 0], velocity=[6000, -100, 0], free_dofs=[])
+    del setup["output"]["probes"], setup["output"]["lines"]
+    simulation = perimpact.Simulation(setup)
+    plate = simulation.bodies["plate"]
+    slots, references = plate.slots, plate.references
+    simulation.run()
+    travel = simulation.history["plate.window_travel [m]"][-1]
+    test.assertGreater(travel, 0.01)
+    test.assertEqual(plate.slots.tolist(), slots.tolist())
+    np.testing.assert_allclose((plate.references - references)[slots], np.broadcast_to([travel, 0, 0], (len(plate), 3)), rtol=0, atol=1e-15)  # of 0.1 m
+
+
 main()

@@ -37,3 +37,7 @@ __all__ = [
     "respond",
     "respond_deforming",
 ]
+
+for _public in __all__:
+    if _public != "Mesh":
+        globals()[_public].__module__ = __name__

@@ -30,13 +30,12 @@ TIMES = {"s": 1.0, "ms": 1e-3}
 
 _VTK_TYPES = {3: 5, 4: 9, 6: 22, 8: 23}  # triangle, quadrilateral, and both with mid-side nodes
 _POLYGON = 7
-_RIGID = 1e-3  # part of a rigid-body mode that is no rigid motion: its eigenvector has the error of an iterative solver and six digits in files
 _FILE_DIGITS = 1e-5  # of the size: CalculiX writes coordinates with six digits
 
 
 @dataclass
 class Modes:
-    """Modes on points, in SI; the arrays of `write`."""
+    """Modes on points, in SI. Its fields points, faces, frequencies, shapes and stresses are the arrays of `write`."""
 
     points: np.ndarray
     faces: list
@@ -51,9 +50,12 @@ class Modes:
 def write(path, points, faces, frequencies, shapes, stresses=None, damping=None):
     """Writes modes to a file (.vtu or .csv) that a deck names in `elastic: {modes: …}`.
 
-    points: (n, 3) [m], in the axes of the impactor's surface. faces: point numbers of each face, with 3, 4, 6 or 8 of them (those of the mid-side nodes last) or a
-    polygon; then the file (.vtu) is also the surface of the impactor, `surface: {file: …}`. None where the surface comes from elsewhere. frequencies: (m,) [Hz].
-    shapes: (m, n, 3) [1/√kg], normalised to unit modal mass. stresses: (m, n, 6) [Pa/(m √kg)] at unit modal coordinate, in the order xx, yy, zz, xy, yz, zx.
+    points: (n, 3) [m], in the axes of the impactor's surface.
+    faces: point numbers of each face, with 3, 4, 6 or 8 of them (those of the mid-side nodes last) or a polygon; then the file (.vtu) is also the surface of the
+    impactor, `surface: {file: …}`. None where the surface comes from elsewhere.
+    frequencies: (m,) [Hz].
+    shapes: (m, n, 3) [1/√kg], normalised to unit modal mass.
+    stresses: (m, n, 6) [Pa/(m √kg)] at unit modal coordinate, in the order xx, yy, zz, xy, yz, zx.
     damping: ratio of critical damping, (m,) or one for all modes.
 
     Raises InputError where the shapes of the arrays do not fit, numbers are not finite, or a frequency is not positive.
@@ -144,8 +146,9 @@ def _write_csv(path, modes, damping):
 def normalised(shapes, mass):
     """The shapes (m, n, 3) scaled to unit modal mass, φᵀMφ = 1.
 
-    mass: (n,) masses of the points [kg], or the mass matrix [kg] of the 3 n displacements x0, y0, z0, x1, … as an array or a sparse matrix. Raises InputError
-    where a modal mass is not positive.
+    mass: (n,) masses of the points [kg], or the mass matrix [kg] of the 3 n displacements x0, y0, z0, x1, … as an array or a sparse matrix.
+
+    Raises InputError where a modal mass is not positive.
     """
     shapes = np.asarray(shapes, float)
     flat = shapes.reshape(len(shapes), -1)
@@ -159,8 +162,11 @@ def normalised(shapes, mass):
 def from_eigenvectors(eigenvalues, vectors, mass=None):
     """Frequencies (m,) [Hz] and shapes (m, n, 3) from the solution of K φ = λ M φ in SI, as scipy.sparse.linalg.eigsh or SLEPc gives it.
 
-    eigenvalues: (m,) λ [1/s²]. vectors: (3 n, m), a column for each mode, of the displacements x0, y0, z0, x1, …. mass: as of `normalised`; None where the columns
-    are normalised already. Raises InputError where an eigenvalue is not positive: leave out the rigid-body modes.
+    eigenvalues: (m,) λ [1/s²].
+    vectors: (3 n, m), a column for each mode, of the displacements x0, y0, z0, x1, ….
+    mass: as of `normalised`; None where the columns are normalised already.
+
+    Raises InputError where an eigenvalue is not positive: leave out the rigid-body modes.
     """
     eigenvalues, vectors = np.asarray(eigenvalues, float), np.asarray(vectors, float)
     if vectors.ndim != 2 or vectors.shape[0] % 3 or vectors.shape[1] != len(eigenvalues):
@@ -171,8 +177,11 @@ def from_eigenvectors(eigenvalues, vectors, mass=None):
     return np.sqrt(eigenvalues) / (2 * np.pi), shapes if mass is None else normalised(shapes, mass)
 
 
-def is_rigid(points, shape, tolerance=_RIGID):
-    """True if the shape (n, 3) is a rigid motion of the points (n, 3): what the best fit of translation and rotation leaves is below `tolerance` of it."""
+def is_rigid(points, shape, tolerance=1e-3):
+    """True if the shape (n, 3) is a rigid motion of the points (n, 3): what the best fit of translation and rotation leaves is below `tolerance` of it.
+
+    The eigenvector of a rigid-body mode has the error of an iterative solver, and six digits in files.
+    """
     points, shape = np.asarray(points, float), np.asarray(shape, float)
     arm = points - points.mean(axis=0)
     motions = [np.tile(axis, (len(points), 1)) for axis in np.eye(3)] + [np.cross(axis, arm) for axis in np.eye(3)]
@@ -184,8 +193,9 @@ def is_rigid(points, shape, tolerance=_RIGID):
 def from_calculix(path, units=("m", "kg", "s")):
     """The modes of the last *FREQUENCY step of a .frd file on the boundary of its solids and on its shells, as `Modes` in SI, rigid-body modes included.
 
-    units: of length, mass and time in the model: `("mm", "t", "s")` where stresses are in MPa and densities in t/mm³. CalculiX normalises modes to unit modal
-    mass. Raises InputError where the file is damaged or binary, or has no modes; OSError where it cannot be read.
+    units: of length, mass and time in the model: `("mm", "t", "s")` where stresses are in MPa and densities in t/mm³.
+
+    CalculiX normalises modes to unit modal mass. Raises InputError where the file is damaged or binary, or has no modes; OSError where it cannot be read.
     """
     length, mass, time = _in_si(units)
     results = frd.read(path)
