@@ -365,7 +365,7 @@ enum {
 
 /// A box along the axes of the body frame.
 typedef struct fccda_box {
-  double size[3];    ///< [m] edge lengths
+  double size[3];    ///< [m] edge lengths, positive
   double centre[3];  ///< [m] from the origin of the body frame
 } fccda_box;
 
@@ -373,20 +373,21 @@ typedef struct fccda_box {
 typedef struct fccda_sectors {
   double axis[3];       ///< direction of the cylinder; need not be a unit vector
   double point[3];      ///< [m] centre of the cylinder
-  double radius;        ///< [m]
-  double length;        ///< [m]
-  double hub_radius;    ///< [m] occupied at all angles
-  double sector_angle;  ///< [rad] of each sector; 0: the whole cylinder
+  double radius;        ///< [m] positive
+  double length;        ///< [m] at least 0
+  double hub_radius;    ///< [m] occupied at all angles; at least 0
+  double sector_angle;  ///< [rad] of each sector, at most 2π; 0: the whole cylinder
   double start_angle;   ///< [rad] begin of the first sector, from x for the axis z, from y for x, from z for y
-  int32_t blades;       ///< number of sectors
+  int32_t blades;       ///< number of sectors, 1 to 1000
   int32_t reserved;     ///< 0
 } fccda_sectors;
 
-/// A detector within contact bounds of one or several boxes, which may overlap. `beyond`: FCCDA_REFUSE_BEYOND or FCCDA_IGNORE_BEYOND.
+/// A detector within contact bounds of one or several boxes, which may overlap. `beyond`: FCCDA_REFUSE_BEYOND or FCCDA_IGNORE_BEYOND. Refuses bounds with
+/// a number that is not finite or out of its range, and those that no panel reaches.
 fccda_status fccda_detector_create_in_boxes(const fccda_surface* surface, double radius, const fccda_box* boxes, size_t box_count, int32_t beyond,
                                             fccda_detector** detector);
 
-/// A detector within contact bounds of a cylinder with sectors.
+/// A detector within contact bounds of a cylinder with sectors; refuses as above.
 fccda_status fccda_detector_create_in_sectors(const fccda_surface* surface, double radius, const fccda_sectors* sectors, int32_t beyond,
                                               fccda_detector** detector);
 

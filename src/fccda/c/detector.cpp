@@ -58,7 +58,6 @@ fccda_status fccda_detector_create(const fccda_surface* surface, double radius, 
 fccda_status fccda_detector_create_in_boxes(const fccda_surface* surface, double radius, const fccda_box* boxes, size_t box_count, int32_t beyond,
                                             fccda_detector** detector) {
   const auto bounds = [&](const Surface& within) {
-    if (box_count == 0) throw InputError("contact bounds: no boxes are given; give one at least.");
     std::vector<BoxUnion::Shape> shapes;
     for (std::size_t b = 0; b < box_count; ++b) {
       const fccda_box& box = (&given(boxes, "boxes"))[b];
