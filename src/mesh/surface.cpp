@@ -143,7 +143,9 @@ Surface::Surface(const Panels& panels, const Options& options) : panels_(panels)
   for (const int component : components.of_triangle)
     solid_of_.push_back(number[static_cast<std::size_t>(outward.solid_of_component[static_cast<std::size_t>(component)])]);
 
-  boundary_vertices_ = separate_fans(linked_);
+  FanVertices fans = separate_fans(linked_);
+  boundary_vertices_ = std::move(fans.on_rim);
+  welded_to_ = std::move(welded.new_number), welded_from_ = std::move(fans.former);
   report_.triangles = linked_.triangles.size();
   report_.vertices = linked_.vertices.size();
 

@@ -95,6 +95,12 @@ class Surface {
   /// (point - closest point)·pseudonormal gives the side of a point (Bærentzen and Aanæs, IEEE TVCG 11 (2005) 243).
   Vec3d pseudonormal(std::size_t triangle, Feature feature) const;
 
+  /// True if this vertex of the panels became that vertex of the surface, by itself or merged with others. Where fans were separated (fans.hpp) it may
+  /// have become several.
+  bool became(int panel_vertex, int vertex) const {
+    return welded_to_[static_cast<std::size_t>(panel_vertex)] == welded_from_[static_cast<std::size_t>(vertex)];
+  }
+
   /// Number of solids bounded by the surface: outer components with their cavities. They may overlap, as blades and their hub do.
   std::size_t solids() const { return report_.solids; }
   int solid_of(std::size_t triangle) const { return solid_of_[triangle]; }  ///< counted from 0
@@ -125,7 +131,8 @@ class Surface {
   Pseudonormals normals_;       // empty once displaced
   IncidentTriangles incident_;  // empty until displaced
   std::vector<bool> boundary_vertices_;
-  std::vector<int> solid_of_;  // of each triangle
+  std::vector<int> welded_to_, welded_from_;  // numbers after welding: of each vertex of the panels, and of each vertex of the surface
+  std::vector<int> solid_of_;                 // of each triangle
   SurfaceReport report_;
 };
 
