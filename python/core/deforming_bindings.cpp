@@ -179,8 +179,8 @@ t1. Raises InputError if arrays differ in length, dt or a mass of a vertex is no
 
 void bind_deforming(py::module_& module) {
   PYBIND11_NUMPY_DTYPE_EX(DeformingContactRow, contact.point, "point", contact.panel, "panel", contact.time_fraction, "time_fraction", contact.depth, "depth",
-                          contact.radius, "radius", contact.hit, "hit", contact.normal, "normal", contact.relocation, "relocation", contact.normal_t0,
-                          "normal_t0", vertices, "vertices", weights, "weights", corners, "corners", displacement, "displacement");
+                          contact.radius, "radius", contact.offset, "offset", contact.hit, "hit", contact.normal, "normal", contact.relocation, "relocation",
+                          contact.normal_t0, "normal_t0", vertices, "vertices", weights, "weights", corners, "corners", displacement, "displacement");
   bind_deforming_surface(module);
   bind_deforming_detector(module);
   bind_deforming_response(module);

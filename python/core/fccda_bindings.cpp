@@ -276,7 +276,7 @@ fccda::ContactSum respond_to(const py::array_t<ContactRow, py::array::c_style>& 
 }
 
 void bind_contact(py::module_& module) {
-  PYBIND11_NUMPY_DTYPE(ContactRow, point, panel, time_fraction, depth, radius, hit, normal, relocation, normal_t0);
+  PYBIND11_NUMPY_DTYPE(ContactRow, point, panel, time_fraction, depth, radius, offset, hit, normal, relocation, normal_t0);
   py::class_<fccda::ContactDetector>(
       module, "ContactDetector",
       R"(Continuous collision detection between points and a moving surface. One detector serves one set of points and caches their distances.
@@ -292,7 +292,8 @@ radius: contact radius of each point [m], for different radii; it may change fro
 
 Returns a structured array with the fields point, panel (number in the mesh), time_fraction (time of impact, 0 to 1), depth (distance from x_t1 to the
 relocation) [m], hit (point of first contact on the surface) [m], normal (outward unit normal), relocation (corrected position of the point) [m], radius
-(contact radius of the point) [m], normal_t0 (surface normal at t0 of a ball in contact there, along which the impulse acts; else 0).)")
+(contact radius of the point) [m], offset (by how much contact is tested nearer than the radius and relocated farther, for positions in float32; 0 for
+float64) [m], normal_t0 (surface normal at t0 of a ball in contact there, along which the impulse acts; else 0).)")
       .def("points_inside", &points_inside, "pose"_a, "x"_a, "radius"_a = py::none(),
            "Indices of the points x (points, 3) [m] that are inside the surface or closer than the contact radius (`radius` per point [m] if given); for use "
            "before the first step.")

@@ -64,7 +64,7 @@ fccda_status fccda_use_threads(int32_t count);
 enum {
   FCCDA_UNSET = 0,   ///< nothing is given
   FCCDA_DOUBLE = 1,  ///< double precision
-  FCCDA_FLOAT = 2,   ///< single precision: read as double, rounded when written
+  FCCDA_FLOAT = 2,   ///< single precision: read as double, rounded when written; see fccda_detect()
   FCCDA_ONE = 3      ///< one number for all (fccda_numbers)
 };
 
@@ -400,6 +400,10 @@ const char* fccda_detector_bounds(const fccda_detector* detector);
 /// Finds the contacts of a step, in the order of points, and keeps them up to the next step. It changes no point. `count`, which may be NULL: their number.
 /// Refuses positions that differ in number, and poses that are none; a position that is not finite, or a point that moves farther than 1e6 sizes of the
 /// surface, is a run error. Points may be appended or removed at the end between two steps.
+///
+/// Positions x_t1 in single precision are relocated to an offset o beyond the contact radius, 2.4e-7 of the largest coordinate of the surface, so that
+/// rounding moves none inside, and are in contact from o below it. The response reduces the velocity away from the surface by up to 2 o/dt, which is
+/// this way in one step. Refuses o above a tenth of a contact radius, or of the surface's size for points without extent.
 fccda_status fccda_detect(fccda_detector* detector, const fccda_motion* motion, const fccda_points* points, size_t* count);
 
 /// The contacts that were found: *contacts[0] to [count - 1].

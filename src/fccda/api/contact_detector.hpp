@@ -48,7 +48,9 @@ class ContactDetector {
   /// motion is not finite. Throws RunError if a position is not finite, or a point moves farther in the step than `longest_path` sizes of
   /// the surface.
   ///
-  /// Positions in single precision are relocated to 2.4e-7 of the largest coordinate from the surface, so that rounding moves none inside.
+  /// Positions in single precision are relocated to an offset o of 2.4e-7 of the largest coordinate of the surface beyond the contact radius, so that
+  /// rounding moves none inside, and are in contact from as much below it (Contact::offset). Throws InputError if o is more than a tenth of the radius,
+  /// or of the surface's size for points without extent.
   std::vector<Contact> detect(const Motion& motion, ConstVectors x_t0, ConstVectors x_t1);
 
   /// The same with an individual contact radius for each point [m], finite and at least 0. Radii may change from step to step.
@@ -87,7 +89,8 @@ class ContactDetector {
   const Swept& swept() const { return swept_; }
 
  private:
-  double note_radii(const Numbers& radius, std::size_t points);
+  double offset_of(ConstVectors x, const Motion& motion);
+  double note_radii(const Numbers& radius, std::size_t points, double offset);
   template <class P>
   std::vector<Contact> contacts_of(const P& points, const Motion& motion);
 

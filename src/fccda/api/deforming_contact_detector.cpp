@@ -10,13 +10,18 @@
 
 namespace fccda {
 
-void DeformingContactDetector::measure(ConstVectors x_t0, ConstVectors x_t1) {
-  measure_paths(x_t0, x_t1, ContactDetector::longest_path * detector_.surface().size(), travel_);
+// Returns the offset that the rounding of coordinates in single precision needs in this step; 0 in double precision.
+double DeformingContactDetector::measure(ConstVectors x_t0, ConstVectors x_t1, double radius) {
+  const double size = detector_.surface().size();
+  measure_paths(x_t0, x_t1, ContactDetector::longest_path * size, travel_);
   detector_.set_rounding(rounding_of(x_t1));
+  const double offset = x_t1.is_single() ? detector_.offset() : 0;
+  expect_small_offset(offset, radius, size);
+  return offset;
 }
 
 std::vector<DeformingContact> DeformingContactDetector::detect(ConstVectors x_t0, ConstVectors x_t1) {
-  measure(x_t0, x_t1);
+  measure(x_t0, x_t1, detector_.radius());
   if (radii_.known()) detector_.forget(), radii_.clear();  // the points had other radii in the previous step
   std::vector<DeformingContact> contacts;
   detector_.detect(ArrayPoints(x_t0, x_t1, travel_), contacts);
@@ -25,9 +30,9 @@ std::vector<DeformingContact> DeformingContactDetector::detect(ConstVectors x_t0
 
 // A point with a larger radius is evaluated again. If it now starts inside, it counts as pushed there.
 std::vector<DeformingContact> DeformingContactDetector::detect(ConstVectors x_t0, ConstVectors x_t1, const Numbers& radius) {
-  measure(x_t0, x_t1);
+  const double offset = measure(x_t0, x_t1, 0);
   const bool others = !radii_.known();
-  const double largest = radii_.note(radius, x_t1.size());
+  const double largest = radii_.note(radius, x_t1.size(), offset);
   if (others) detector_.forget();
   for (const std::size_t i : radii_.grown()) detector_.grown(i);
   std::vector<DeformingContact> contacts;

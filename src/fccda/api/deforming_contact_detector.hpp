@@ -39,7 +39,7 @@ class DeformingContactDetector {
   /// The contacts of the step that the surface has begun, in point order, bitwise identical for any number of threads. x_t0 and x_t1 [m]: positions
   /// at the two ends of the step; x_t0 must equal x_t1 of the previous step after relocation. Throws InputError if they differ in number, or the
   /// surface was not moved since the last detection. Throws RunError if a position is not finite, or a point moves farther than
-  /// ContactDetector::longest_path sizes of the surface.
+  /// ContactDetector::longest_path sizes of the surface. Positions in single precision: as ContactDetector::detect.
   std::vector<DeformingContact> detect(ConstVectors x_t0, ConstVectors x_t1);
 
   /// The same with an individual contact radius for each point [m], finite and at least 0. Radii may change from step to step.
@@ -59,7 +59,7 @@ class DeformingContactDetector {
   const Deforming& detector() const { return detector_; }  ///< the underlying detector
 
  private:
-  void measure(ConstVectors x_t0, ConstVectors x_t1);
+  double measure(ConstVectors x_t0, ConstVectors x_t1, double radius);
 
   Deforming detector_;
   std::vector<double> travel_;  // [m] of each block in the current step

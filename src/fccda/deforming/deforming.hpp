@@ -53,6 +53,9 @@ class Deforming final : public SlidingSurface {
   /// Relative rounding of the stored coordinates of relocated points, as Swept::set_rounding.
   void set_rounding(double of_coordinates) { rounding_ = of_coordinates; }
 
+  /// [m] as Swept::offset, in the step that the surface has begun.
+  double offset() const;
+
   /// Adds the contacts of the step that the surface has begun to `out`, in point order. Throws InputError if the surface was not moved since the
   /// last detection. A point with a path that is not finite is skipped.
   template <Points P>
@@ -191,7 +194,6 @@ class Deforming final : public SlidingSurface {
   bool is_inside(const Vec3d& point, double radius) const;
   void begin_step();
   void begin_again();
-  void set_offset();
   void evaluate(const MovingPathTest& test, std::size_t block, std::size_t point, double radius, const Path& path, double look_ahead, Found& found);
   void gather(std::size_t shares, std::vector<DeformingContact>& out);
 

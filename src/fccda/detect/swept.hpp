@@ -39,6 +39,9 @@ class Swept final : public SlidingSurface {
   /// correspondingly larger distance from the surface.
   void set_rounding(double of_coordinates) { rounding_ = of_coordinates; }
 
+  /// [m] what relocation adds to the contact radius, and the contact test subtracts from it, in a step of this motion.
+  double offset(const Motion& motion) const;
+
   /// Adds the contacts of one step to `out`, in point order. `surface_travel` [m]: bound of the displacement of any point of the surface in
   /// this step, for both arc and chord (RigidBody::travel_bound). Throws InputError if the motion is not finite. A point with a path that is
   /// not finite is skipped.

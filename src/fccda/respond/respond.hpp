@@ -18,6 +18,11 @@
 /// opposite wall of a gap), the point slides along it (SlidingSurface) and its velocity changes by the remaining shift. As a projection of
 /// the unobstructed change, friction never exceeds Coulomb's limit and never accelerates sliding.
 ///
+/// Coordinates in single precision are rounded by far more than those in double precision. Contact is therefore tested at an offset o nearer than the
+/// contact radius, and relocated to o beyond it (Contact::offset). A point at rest sinks from one to the other, and eq. 8 would take its way back for a
+/// velocity of 2 o/dt. The velocity away from the surface is reduced by as much, but not below that of the surface:
+///   v̄ ← v̄ - min(2 o/dt, w_n, J_n/m) n,   w_n = (v̄ - velocity of the surface)·n > 0
+///
 /// Points may have material that the body crushes (crushing.hpp): they are then relocated by less, and the ball that is left of them is smaller.
 #pragma once
 
@@ -78,6 +83,13 @@ inline Vec3d slid(const Contact& contact, const Pose& pose, const Vec3d& from, c
   return contact.sliding ? contact.sliding->slide(pose, from, wanted, radius) : wanted;
 }
 
+/// Part of the velocity after relocation [m/s] that is the way across the offset of single precision, and no motion (above). `velocity`: before.
+template <class SurfaceVelocity>
+Vec3d velocity_across_offset(const Contact& contact, const Vec3d& velocity, const Resolved& after, double dt, const SurfaceVelocity& surface_velocity) {
+  const double separating = dot(after.velocity - surface_velocity(after.position), contact.normal), pushed = dot(after.velocity - velocity, contact.normal);
+  return std::max(0.0, std::min({2 * contact.offset / dt, separating, pushed})) * contact.normal;
+}
+
 /// Response of one point: relocation and friction. `pose`: of the surface at t1; `surface_velocity(x)` [m/s]: mean over the step of the surface's
 /// material point that is at x at t1. `limit(push)`: Crushed, for a velocity change of `push` in rigid contact.
 template <class SurfaceVelocity, class Limit>
@@ -92,6 +104,11 @@ Resolved resolved(const Contact& contact, const Vec3d& position_t0, const Vec3d&
       after.position = slid(contact, pose, after.position, after.position + turn, contact.radius);
       after.velocity = (after.position - position_t0) / dt;
     }
+  }
+  Vec3d across{};
+  if (contact.offset > 0) {
+    across = velocity_across_offset(contact, velocity, after, dt, surface_velocity);
+    after.velocity -= across;
   }
   const Vec3d change = after.velocity - velocity;
   double pushed = std::max(0.0, dot(change, contact.normal));  // J_n/m
@@ -121,6 +138,7 @@ Resolved resolved(const Contact& contact, const Vec3d& position_t0, const Vec3d&
   } else {
     after.position = place - shift;
     after.velocity = (after.position - position_t0) / dt;
+    if (contact.offset > 0) after.velocity -= across;
   }
   return after;
 }
