@@ -33,7 +33,7 @@
 #include <vector>
 
 #include "base/finite.hpp"
-#include "base/parallel.hpp"
+#include "base/parallel_throwing.hpp"
 #include "fccda/detect/contact.hpp"
 #include "fccda/respond/crushing.hpp"
 #include "fccda/rigid_body/rigid_body.hpp"
@@ -187,7 +187,7 @@ ContactSum resolve_points(P& points, std::span<const Contact> contacts, const Mo
   if (contacts.size() < contacts_worth_threads)
     for (std::size_t k = 0; k < contacts.size(); ++k) resolve(k);
   else
-    parallel_for_uneven(static_cast<std::ptrdiff_t>(contacts.size()), [&](std::ptrdiff_t k) { resolve(static_cast<std::size_t>(k)); });
+    parallel_for_uneven_throwing(static_cast<std::ptrdiff_t>(contacts.size()), [&](std::ptrdiff_t k) { resolve(static_cast<std::size_t>(k)); });
   ContactSum sum;
   const auto impulse_of = [&](std::size_t k) { return -points.mass(contacts[k].point) * (all[k].velocity - points.velocity(contacts[k].point)); };
   for (std::size_t k = 0; k < contacts.size(); ++k) {
