@@ -81,6 +81,7 @@ ContactSum respond(std::span<const DeformingContact> contacts, double dt, const 
       if (!(vertex_mass[v] > 0))
         throw InputError("contact: the mass of vertex " + std::to_string(v) + " is " + in_words(vertex_mass[v]) +
                          " kg, but it must be positive; it is infinite where motion is prescribed.");
+      if (!is_finite(vertex_impulses[v])) expect_finite(vertex_impulses[v], "contact: the impulse on vertex " + std::to_string(v) + " so far");
     }
   }
   std::vector<Vec3d> impulses(vertices);
