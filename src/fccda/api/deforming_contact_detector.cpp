@@ -71,8 +71,10 @@ ContactSum respond(std::span<const DeformingContact> contacts, double dt, const 
   if (!vertex_mass.are_for(vertices))
     throw InputError("contact: the number of masses of vertices differs from the " + std::to_string(vertices) +
                      " impulses; give one for each vertex of the panels, or one number for all.");
-  for (const DeformingContact& contact : contacts) {
+  for (std::size_t c = 0; c < contacts.size(); ++c) {
+    const DeformingContact& contact = contacts[c];
     expect_usable_point(points, contact.contact.point);
+    if (c > 0) expect_later(contact.contact.point, contacts[c - 1].contact.point);
     for (const int vertex : contact.place.vertices) {
       const auto v = static_cast<std::size_t>(vertex);
       if (v >= vertices)

@@ -27,6 +27,12 @@ void expect_usable_point(const PointArrays& points, std::size_t point) {
   expect_finite(points.x_t0[point], "contact: the position at t0 of point " + std::to_string(point));
 }
 
+void expect_later(std::size_t point, std::size_t point_before) {
+  if (point > point_before) return;
+  throw InputError("contact: a contact of point " + std::to_string(point) + " follows one of point " + std::to_string(point_before) +
+                   ", but each point may have one contact only, in ascending order; respond to the contacts of each detector by themselves.");
+}
+
 namespace {
 
 void expect_usable(std::span<const Contact> contacts, const Motion& motion, const PointArrays& points, double friction) {
@@ -34,7 +40,10 @@ void expect_usable(std::span<const Contact> contacts, const Motion& motion, cons
   if (!(motion.dt > 0)) throw InputError("contact: the step of the motion has no duration, but velocities need one; set Motion::dt.");
   expect_usable(motion);
   expect_friction(friction);
-  for (const Contact& contact : contacts) expect_usable_point(points, contact.point);
+  for (std::size_t c = 0; c < contacts.size(); ++c) {
+    expect_usable_point(points, contacts[c].point);
+    if (c > 0) expect_later(contacts[c].point, contacts[c - 1].point);
+  }
 }
 
 }  // namespace

@@ -21,7 +21,8 @@ struct PointArrays {
 };
 
 /// Modifies the points in contact and the body, and returns what the body received. `friction`: the coefficient of Coulomb friction, 0 for
-/// none. Throws InputError if the arrays differ in length, the step of the motion has no duration, or the friction is negative or not finite.
+/// none. Throws InputError if the arrays differ in length, the step of the motion has no duration, the friction is negative or not finite, or the
+/// contacts are not in ascending order of their points, one for each: those of several detectors are responded to one after the other.
 /// The same applies if the mass of a point in contact is negative, or its mass or velocity is not finite.
 ContactSum respond(std::span<const Contact> contacts, const Motion& motion, RigidBody& body, const PointArrays& points, double friction = 0);
 

@@ -210,3 +210,16 @@ TEST_CASE("deforming contact detector: impulses that are not finite are refused,
   CHECK((to == to_before && velocity == velocity_before));
   CHECK(refusal(1, 1, net.impulse).empty());
 }
+
+TEST_CASE("deforming contact detector: two contacts of one point are refused") {
+  Net net;
+  net.surface->move(net.x);
+  std::vector<Vec3d> from{{0.01, 0.02, 0.1}}, to{{0.01, 0.02, -0.1}}, velocity{{0, 0, -20}};
+  std::vector<DeformingContact> contacts = net.detector.detect(from, to);
+  REQUIRE(contacts.size() == 1);
+  contacts.push_back(contacts[0]);
+  CHECK(message<InputError>([&] {
+          respond(contacts, 0.01, {from, to, velocity, 1.0}, 0, 1.0, net.impulse);
+        }).starts_with("contact: a contact of point 0 follows one of point 0, but each point may have one contact only"));
+  CHECK(velocity[0].z == -20);
+}

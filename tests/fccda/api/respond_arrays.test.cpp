@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "base/error.hpp"
+#include "fixtures/tolerance.hpp"
 
 using namespace fccda;
 
@@ -114,4 +115,28 @@ TEST_CASE("plain response: friction that is negative or not a number, masses and
   CHECK_THROWS_AS(respond(contacts, astray, body, {x_t0, x, v, 1.0}), InputError);
   const std::vector<Contact> of_nobody{{.point = 1}};
   CHECK_THROWS_AS(respond(of_nobody, motion, body, {x_t0, x, v, 1.0}), InputError);
+}
+
+TEST_CASE("plain response: two contacts of one point, as of two detectors, and contacts in another order are refused, and nothing is changed") {
+  RigidBody body = free_body(1);
+  const Motion motion = body.advance(1);
+  const std::vector<Vec3d> x_t0{{0, 0, 1}, {1, 0, 1}};
+  std::vector<Vec3d> x{{0, 0, 0.5}, {1, 0, 0.5}}, v{{0, 0, -0.5}, {0, 0, -0.5}};
+  const Contact first{.point = 0, .normal = {0, 0, 1}, .relocation = {0, 0, 0.6}}, second{.point = 1, .normal = {0, 0, 1}, .relocation = {1, 0, 0.6}};
+  const auto refusal = [&](const std::vector<Contact>& contacts) {
+    std::string sentence;
+    try {
+      respond(contacts, motion, body, {x_t0, x, v, 1.0});
+    } catch (const InputError& error) {
+      sentence = error.what();
+    }
+    CHECK((v[0].z == -0.5 && v[1].z == -0.5 && x[0].z == 0.5 && x[1].z == 0.5));
+    CHECK(body.velocity() == Vec3d{});
+    return sentence;
+  };
+  const std::string why = ", but each point may have one contact only, in ascending order; respond to the contacts of each detector by themselves.";
+  CHECK(refusal({first, first}) == "contact: a contact of point 0 follows one of point 0" + why);
+  CHECK(refusal({second, first}) == "contact: a contact of point 0 follows one of point 1" + why);
+  respond(std::vector<Contact>{first, second}, motion, body, {x_t0, x, v, 1.0});
+  CHECK(v[0].z + v[1].z + body.velocity().z == fixtures::relative(-1, 1e-15));  // momentum of two points of 1 kg
 }
