@@ -120,8 +120,8 @@ Raises InputError where closed parts of the surface may overlap: their union is 
            R"(Begins a step, which starts where the last one ended. vertices: (n, 3) positions at the end of the step [m], numbered as the vertices of the Mesh
 that the surface was made of; not modified.
 
-Raises InputError, and changes nothing, if their number differs, one is not finite or moves farther than 1e6 sizes of the surface, welded vertices part, a
-panel loses its area, or a closed surface is turned inside out.)")
+Raises RunError if one is not finite or moves farther than 1e6 sizes of the surface, and InputError if their number differs, welded vertices part, a
+panel loses its area, or a closed surface is turned inside out. Nothing changes then.)")
       .def("step_warnings", &fccda::step_warnings,
            R"(Sentences about the step that the surface has begun: panels that move farther than their longest edge, turn by more than 90°, or pass through
 others at its end. Empty if there is nothing to report. Takes longer than move: for a check now and then.)")

@@ -48,7 +48,7 @@ typedef int fccda_status;
 enum {
   FCCDA_OK = 0,             ///< done
   FCCDA_INPUT_ERROR = 1,    ///< an argument, a file or a surface cannot be used
-  FCCDA_RUN_ERROR = 2,      ///< the calculation cannot continue: a position of a point that is not finite, or far too fast
+  FCCDA_RUN_ERROR = 2,      ///< the solver has become unstable: a position or velocity of a point, or a vertex, is not finite or far too fast
   FCCDA_INTERNAL_ERROR = 3  ///< no memory, or a fault of the library
 };
 

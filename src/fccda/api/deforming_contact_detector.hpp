@@ -68,8 +68,8 @@ class DeformingContactDetector {
 
 /// Modifies the points in contact, and adds the impulses on the surface to `vertex_impulses` [N s], one for each vertex of its panels. Returns their sum,
 /// with moments about the origin. `vertex_mass` [kg]: one for all vertices or one for each; infinite: its motion is prescribed. Throws InputError if arrays
-/// differ in length, contacts are not in ascending order of their points, dt or a mass of a vertex is not positive, or a mass, velocity, impulse or the
-/// friction is negative or not finite. Nothing is changed then.
+/// differ in length, contacts are not in ascending order of their points, dt or a mass of a vertex is not positive, or a mass, impulse or the
+/// friction is negative or not finite; RunError if the velocity or position of a point is not finite. Nothing is changed then.
 ContactSum respond(std::span<const DeformingContact> contacts, double dt, const PointArrays& points, double friction, const Numbers& vertex_mass,
                    Vectors vertex_impulses);
 

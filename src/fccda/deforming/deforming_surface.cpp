@@ -100,9 +100,9 @@ void DeformingSurface::expect_usable(std::span<const Vec3d> from_vertices, std::
     const double squared = squared_norm(to - from);
     if (squared <= longest_path * longest_path * size_ * size_) continue;
     const std::string sentence = "deforming surface: vertex " + std::to_string(own) + " goes from " + in_words(from) + " to " + in_words(to) + " in one step, ";
-    if (!std::isfinite(squared)) throw InputError(sentence + "which is not finite; the solver has become unstable, use a shorter step.");
-    throw InputError(sentence + "farther than " + in_words(longest_path * size_) +
-                     " m, beyond which rounding hides contact; the solver has become unstable, use a shorter step.");
+    if (!std::isfinite(squared)) throw RunError(sentence + "which is not finite; the solver has become unstable, use a shorter step.");
+    throw RunError(sentence + "farther than " + in_words(longest_path * size_) +
+                   " m, beyond which rounding hides contact; the solver has become unstable, use a shorter step.");
   }
   for (const Merged& pair : merged_) {
     if (norm(vertices[number(pair.vertex)] - vertices[number(pair.with)]) <= pair.distance + together * size_) continue;

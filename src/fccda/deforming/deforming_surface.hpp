@@ -28,8 +28,8 @@ class DeformingSurface {
   explicit DeformingSurface(const Surface& surface);
 
   /// Begins a step: t0 is where the last one ended. `vertices` [m]: at t1, numbered as the vertices of the panels that the surface was made of.
-  /// Throws InputError, and changes nothing, if their number differs, one is not finite, moves farther than `longest_path` sizes of the surface
-  /// in the step, or parts from another with which it was merged at construction, if a panel loses its area, or if a closed surface is turned
+  /// Throws, and changes nothing: RunError if one is not finite, or moves farther than `longest_path` sizes of the surface in the step; InputError if
+  /// their number differs, one parts from another with which it was merged at construction, a panel loses its area, or a closed surface is turned
   /// inside out.
   void move(std::span<const Vec3d> vertices);
 

@@ -289,6 +289,21 @@ const std::vector<Refusal>& refusals() {
          return fccda_deforming_surface_move(s.soft, &less);
        },
        FCCDA_INPUT_ERROR, "deforming surface: "},
+      {"a vertex that is no number",
+       [](Scene& s) {
+         std::vector<double> vertices = s.vertices;
+         vertices[4] = nan;
+         const fccda_vectors at = fccda_xyz(vertices.data(), 8);
+         return fccda_deforming_surface_move(s.soft, &at);
+       },
+       FCCDA_RUN_ERROR, "deforming surface: vertex 1 goes from"},
+      {"a velocity that is no number",
+       [](Scene& s) {
+         CHECK(fccda_detect(s.detector, &s.rest, &s.points, nullptr) == FCCDA_OK);
+         s.v[2] = nan;
+         return fccda_respond(s.detector, &s.rest, &s.points, 0, s.body, nullptr);
+       },
+       FCCDA_RUN_ERROR, "contact: the velocity of point 0 is (0, 0, nan), which is not finite"},
       {"a second detection without a move",
        [](Scene& s) {
          CHECK(fccda_deforming_surface_move(s.soft, &s.at) == FCCDA_OK);

@@ -27,10 +27,11 @@ DeformingSurface moved_surface(const Panels& panels, const Deformation& deformat
   return surface;
 }
 
+template <class Error = InputError>
 std::string refusal(DeformingSurface& surface, const std::vector<Vec3d>& vertices) {
   try {
     surface.move(vertices);
-  } catch (const InputError& error) {
+  } catch (const Error& error) {
     return error.what();
   }
   return "";
@@ -245,7 +246,8 @@ TEST_CASE("deforming surface: unusable vertices are refused in a sentence, and n
   for (Vec3d& x : to) x *= 1.1;
   surface.move(to);
   const auto refuse = [&](const std::vector<Vec3d>& vertices, const std::string& sentence) {
-    CHECK(refusal(surface, vertices) == sentence);
+    const bool is_unstable = sentence.ends_with("the solver has become unstable, use a shorter step.");
+    CHECK((is_unstable ? refusal<RunError>(surface, vertices) : refusal(surface, vertices)) == sentence);
     CHECK(surface.steps() == 1);
     CHECK(surface.at_t0().corner(0, 0) == cube.vertices[static_cast<std::size_t>(surface.panel_vertices(0)[0])]);
     CHECK(surface.at_t1().corner(0, 0) == to[static_cast<std::size_t>(surface.panel_vertices(0)[0])]);
