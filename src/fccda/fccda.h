@@ -432,7 +432,8 @@ fccda_status fccda_detector_points_inside(fccda_detector* detector, const fccda_
 /// What the next step depends on besides positions and poses, as numbers to be saved for a restart.
 fccda_status fccda_detector_state(fccda_detector* detector, const int64_t** numbers, size_t* count);
 
-/// Continues from saved numbers, with the same surface and radius. The restart is bitwise exact.
+/// Continues from saved numbers, with the same surface, radius and contact bounds. The restart is bitwise exact; at an open surface as long as no individual
+/// radius grows from the last step before to the first one after it.
 fccda_status fccda_detector_resume(fccda_detector* detector, const int64_t* numbers, size_t count);
 
 /// Ends the use of the handle; NULL is allowed.

@@ -67,13 +67,21 @@ void ContactDetector::resume(const State& state) {
   expect_ordered(state);
   swept_.visit_state(StateWriter{state});
   swept_.forget();
+  radii_.forget();
+}
+
+void ContactDetector::points_changed() {
+  swept_.renumbered();
+  radii_.forget();
 }
 
 std::vector<Contact> ContactDetector::detect(const Motion& motion, ConstVectors x_t0, ConstVectors x_t1) {
   expect_usable(motion);
   measure_paths(x_t0, x_t1, longest_path_, travel_);
   expect_small_offset(offset_of(x_t1, motion), swept_.radius(), size_of(swept_.surface()));
-  if (radii_.known()) swept_.forget(), radii_.clear();  // the points had other radii in the previous step
+  if (radii_.known()) swept_.forget();  // the points had other radii in the previous step
+  radii_.note_common(swept_.radius(), x_t1.size());
+  for (const std::size_t i : radii_.grown()) swept_.grown(i);
   return contacts_of(ArrayPoints(x_t0, x_t1, travel_), motion);
 }
 

@@ -53,7 +53,8 @@ class ContactDetector {
   /// or of the surface's size for points without extent.
   std::vector<Contact> detect(const Motion& motion, ConstVectors x_t0, ConstVectors x_t1);
 
-  /// The same with an individual contact radius for each point [m], finite and at least 0. Radii may change from step to step.
+  /// The same with an individual contact radius for each point [m], finite and at least 0. Radii may change from step to step; a point that grows into
+  /// the surface is relocated to its new radius.
   std::vector<Contact> detect(const Motion& motion, ConstVectors x_t0, ConstVectors x_t1, const Numbers& radius);
 
   /// On longer paths the rounding error of coordinates grows until contact is missed.
@@ -65,7 +66,7 @@ class ContactDetector {
   /// Reports that points were renumbered, or many displaced: all are evaluated again in the next step. Information on single points is lost.
   /// If the contact bounds clip or the surface is open, points that start the next step inside, by more than their path length in it, are
   /// regarded as having entered outside the contact bounds (Swept::renumbered).
-  void points_changed() { swept_.renumbered(); }
+  void points_changed();
 
   /// The points that are inside the surface, or nearer than the contact radius, for a check before the first step. Contact alone is not
   /// inside. Throws as detect() does.
@@ -74,7 +75,8 @@ class ContactDetector {
   std::vector<std::size_t> points_inside(const Pose& pose, ConstVectors x, const Numbers& radius) const;
 
   /// The state between two steps, besides positions and poses, for a restart. A detector of the same surface, radius and contact bounds that
-  /// resumes it continues bitwise identically. The numbers are point numbers.
+  /// resumes it continues bitwise identically. The numbers are point numbers. Individual radii are not part of it: with an open surface, a point
+  /// whose radius grows between the step before and the first one after is taken for one that came round its boundary.
   struct State {
     std::vector<std::uint64_t> inside;      ///< entered outside the contact bounds, or round the boundary of an open surface
     std::vector<std::uint64_t> in_contact;  ///< in contact with an open surface in the last step

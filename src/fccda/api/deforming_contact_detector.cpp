@@ -20,9 +20,16 @@ double DeformingContactDetector::measure(ConstVectors x_t0, ConstVectors x_t1, d
   return offset;
 }
 
+void DeformingContactDetector::points_changed() {
+  detector_.renumbered();
+  radii_.forget();
+}
+
 std::vector<DeformingContact> DeformingContactDetector::detect(ConstVectors x_t0, ConstVectors x_t1) {
   measure(x_t0, x_t1, detector_.radius());
-  if (radii_.known()) detector_.forget(), radii_.clear();  // the points had other radii in the previous step
+  if (radii_.known()) detector_.forget();  // the points had other radii in the previous step
+  radii_.note_common(detector_.radius(), x_t1.size());
+  for (const std::size_t i : radii_.grown()) detector_.grown(i);
   std::vector<DeformingContact> contacts;
   detector_.detect(ArrayPoints(x_t0, x_t1, travel_), contacts);
   return contacts;
@@ -59,6 +66,7 @@ void DeformingContactDetector::resume(const ContactDetector::State& state) {
   expect_ordered(state);
   detector_.visit_state(StateWriter{state});
   detector_.forget();
+  radii_.forget();
 }
 
 ContactSum respond(std::span<const DeformingContact> contacts, double dt, const PointArrays& points, double friction, const Numbers& vertex_mass,

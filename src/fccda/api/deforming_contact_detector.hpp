@@ -46,14 +46,14 @@ class DeformingContactDetector {
   std::vector<DeformingContact> detect(ConstVectors x_t0, ConstVectors x_t1, const Numbers& radius);
 
   void moved(std::size_t point) { detector_.moved(point); }  ///< reports that something else displaced the point since the last step
-  void points_changed() { detector_.renumbered(); }          ///< reports that points were renumbered, or many displaced
+  void points_changed();                                     ///< reports that points were renumbered, or many displaced
 
   /// The points that are inside the surface where it is now, or nearer than the contact radius, for a check before the first step.
   std::vector<std::size_t> points_inside(ConstVectors x) const;
   /// The same with an individual contact radius for each point [m].
   std::vector<std::size_t> points_inside(ConstVectors x, const Numbers& radius) const;
 
-  ContactDetector::State state() const;              ///< between two steps, besides positions, for a restart
+  ContactDetector::State state() const;              ///< between two steps, besides positions, for a restart; see ContactDetector::State
   void resume(const ContactDetector::State& state);  ///< throws InputError if a list is not in ascending order
 
   const Deforming& detector() const { return detector_; }  ///< the underlying detector

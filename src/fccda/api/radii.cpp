@@ -40,6 +40,19 @@ void expect_radii(const Numbers& radius, std::size_t points) {
     throw InputError("contact: the number of radii differs from the " + std::to_string(points) + " points; give one for each, or one number for all.");
 }
 
+void Radii::note_common(double radius, std::size_t points) {
+  grown_.clear();
+  for (std::size_t i = 0; i < std::min(points, radius_.size()); ++i)
+    if (radius > radius_[i]) grown_.push_back(i);
+  radius_.clear();
+  common_ = radius, common_points_ = points;
+}
+
+void Radii::forget() {
+  radius_.clear(), grown_.clear();
+  common_points_ = 0;
+}
+
 double Radii::note(const Numbers& radius, std::size_t points, double offset) {
   expect_radii(radius, points);
   std::vector<double> largest(blocks_of(points));
@@ -63,14 +76,16 @@ double Radii::note(const Numbers& radius, std::size_t points, double offset) {
   const std::size_t known = radius_.size();
   radius_.resize(points);
   grown_.clear();
+  const auto has_grown = [&](std::size_t i, double now) { return i < known ? now > radius_[i] : i < common_points_ && now > common_; };
   for (std::size_t b = 0; b < differs.size(); ++b) {
     if (differs[b] == 0) continue;
     for (std::size_t i = b * block_size; i < std::min((b + 1) * block_size, points); ++i) {
       const double now = radius[i];
-      if (i < known && now > radius_[i]) grown_.push_back(i);
+      if (has_grown(i, now)) grown_.push_back(i);
       radius_[i] = now;
     }
   }
+  common_points_ = 0;
   return points == 0 ? 0 : *std::ranges::max_element(largest);
 }
 
