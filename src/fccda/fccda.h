@@ -149,8 +149,8 @@ typedef struct fccda_surface fccda_surface;
 
 enum {
   FCCDA_UNDECLARED = 0,  ///< the surface is closed
-  FCCDA_NORMALS = 1,     ///< outside of an open surface is where the normals of its panels point
-  FCCDA_REVERSED = 2     ///< outside of an open surface is the other side
+  FCCDA_NORMALS = 1,     ///< outside of an open surface is where the normals of its panels point; without effect on a closed one
+  FCCDA_REVERSED = 2     ///< outside of an open surface is the other side; refused for a closed one
 };
 
 /// How panels become a surface. All zero, or NULL instead of it, is the default.

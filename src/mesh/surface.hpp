@@ -70,7 +70,8 @@ class Surface {
   /// consistently and outward (inner walls of hollow bodies face the cavity), separates parts that meet in a vertex, and classifies the
   /// surface. Throws InputError if there are no panels, coordinates are not finite, or vertex or part numbers are out of range. Throws
   /// SurfaceError (defects.hpp), which lists panels, if a component is not orientable or a closed one has no volume. It does so too if the
-  /// orientation is undeclared and the surface is open, or has non-manifold edges that must be cut.
+  /// orientation is undeclared and the surface is open, or has non-manifold edges that must be cut. Throws InputError if the surface is closed and the
+  /// orientation reversed.
   Surface(const Panels& panels, const Options& options);
   /// With default options.
   explicit Surface(const Panels& panels) : Surface(panels, Options{}) {}

@@ -135,6 +135,13 @@ const std::vector<Refusal>& refusals() {
          return fccda_surface_create(&s.at, nullptr, 0, 3, &options, &s.surface);
        },
        FCCDA_INPUT_ERROR, "surface: the orientation is 3, but it must be FCCDA_UNDECLARED"},
+      {"a closed surface whose outside is inside",
+       [](Scene& s) {
+         const std::int32_t panels[] = {0, 2, 1, 0, 1, 4, 1, 2, 4, 2, 0, 4};
+         const fccda_surface_options options{0, "tank", FCCDA_REVERSED, 0};
+         return fccda_surface_create(&s.at, panels, 4, 3, &options, &s.surface);
+       },
+       FCCDA_INPUT_ERROR, "tank: the surface is closed, so its outside is known"},
       {"no panels", [](Scene& s) { return fccda_surface_create(&s.at, nullptr, 0, 3, nullptr, &s.surface); }, FCCDA_INPUT_ERROR, "surface: "},
       {"a sphere without size", [](Scene& s) { return fccda_surface_sphere(-1, 0, &s.surface); }, FCCDA_INPUT_ERROR, "sphere: "},
       {"an axis that is none", [](Scene& s) { return fccda_surface_cylinder(1, 1, 3, 0, &s.surface); }, FCCDA_INPUT_ERROR, "cylinder: the axis is 3"},
