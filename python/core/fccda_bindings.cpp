@@ -232,7 +232,7 @@ fccda::ContactDetector detector_of(GivenSurface& surface, double radius, const s
     std::vector<fccda::BoxUnion::Shape> shapes;
     for (const auto& [size, centre] : *boxes) shapes.push_back({size, centre});
     try {
-      options.region = fccda::BoxUnion(shapes, surface.surface(), clip ? fccda::Beyond::clip : fccda::Beyond::error);
+      options.contact_bounds = fccda::BoxUnion(shapes, surface.surface(), clip ? fccda::Beyond::clip : fccda::Beyond::error);
     } catch (const InputError& error) {
       throw InputError(error.in_words_of(python_words));
     }
@@ -305,7 +305,7 @@ float64) [m], normal_t0 (surface normal at t0 of a ball in contact there, along 
 
   py::class_<fccda::ContactSum>(module, "ContactSum", "Sum of the contacts of a step, acting on the body.")
       .def_readonly("impulse", &fccda::ContactSum::impulse, "(3,) impulse [N s]; divided by dt, the mean force.")
-      .def_readonly("angular_impulse", &fccda::ContactSum::angular_impulse_about_com, "(3,) angular impulse about the centre of mass [N m s].")
+      .def_readonly("angular_impulse", &fccda::ContactSum::angular_impulse, "(3,) angular impulse about the centre of mass [N m s].")
       .def_readonly("contacts", &fccda::ContactSum::contacts, "Number of contacts.");
 
   module.def("respond", &respond_to, "contacts"_a, "motion"_a, "body"_a, py::kw_only(), "x_t0"_a, "x_t1"_a.noconvert(), "velocity"_a.noconvert(), "mass"_a,

@@ -155,7 +155,7 @@ enum {
 
 /// How panels become a surface. All zero, or NULL instead of it, is the default.
 typedef struct fccda_surface_options {
-  double weld_distance;  ///< [m] vertices nearer than this are merged; always those nearer than 1e-9 of the surface's size
+  double weld_distance;  ///< [m] at least 0: vertices nearer than this are merged; always those nearer than 1e-9 of the surface's size
   const char* name;      ///< its name in sentences; NULL: "surface"
   int32_t orientation;   ///< of an open surface: FCCDA_UNDECLARED, FCCDA_NORMALS or FCCDA_REVERSED
   int32_t reserved;      ///< 0
@@ -278,7 +278,7 @@ typedef struct fccda_body_properties {
   int32_t is_free[6];          ///< 1 where impulses change the motion: translation along, rotation about x, y, z of the world
 } fccda_body_properties;
 
-/// The body frame in the world frame.
+/// At the origin and not rotated: the body frame is the world frame.
 static inline fccda_pose fccda_no_pose(void) {
   fccda_pose pose = {{0, 0, 0}, {1, 0, 0, 0}};
   return pose;
@@ -347,7 +347,7 @@ typedef struct fccda_contact {
 /// What a response gave to the surface.
 typedef struct fccda_contact_sum {
   double impulse[3];          ///< [N s] of all contacts; divided by dt, the mean force
-  double angular_impulse[3];  ///< [N m s] about the centre of mass at t1; of a deforming surface about the origin
+  double angular_impulse[3];  ///< [N m s] about the body's centre of mass at t1; without a body about motion->centre; of a deforming surface about the origin
   int64_t contacts;           ///< their number
 } fccda_contact_sum;
 

@@ -61,14 +61,14 @@ class Surface {
   /// How panels become a surface.
   struct Options {
     double weld_tolerance = 1e-9;                       ///< vertices nearer than this times the size of the surface are merged
-    double weld_distance = 0;                           ///< [m] or nearer than this, if larger: closes gaps left by rounding between parts
+    double weld_distance = 0;                           ///< [m] at least 0: or nearer than this, if larger; closes gaps left by rounding between parts
     Orientation orientation = Orientation::undeclared;  ///< outer side of an open surface
     std::string name = "surface";                       ///< its name in messages
   };
 
   /// Welds vertices, splits quads (along the shorter diagonal), drops degenerate and duplicate triangles, orients each component
   /// consistently and outward (inner walls of hollow bodies face the cavity), separates parts that meet in a vertex, and classifies the
-  /// surface. Throws InputError if there are no panels, coordinates are not finite, or vertex or part numbers are out of range. Throws
+  /// surface. Throws InputError if there are no panels, coordinates or the weld distance are not finite, or vertex or part numbers are out of range. Throws
   /// SurfaceError (defects.hpp), which lists panels, if a component is not orientable or a closed one has no volume. It does so too if the
   /// orientation is undeclared and the surface is open, or has non-manifold edges that must be cut. Throws InputError if the surface is closed and the
   /// orientation reversed.

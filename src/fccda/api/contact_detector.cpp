@@ -29,7 +29,7 @@ void expect_finite_positions(ConstVectors x) {
 }
 
 ContactDetector::ContactDetector(SharedSurface surface, const Options& options)
-    : swept_(std::move(surface), options.region, checked_radius(options.radius)),
+    : swept_(std::move(surface), options.contact_bounds, checked_radius(options.radius)),
       centre_(swept_.surface().report().bounds.centre()),
       reach_(swept_.surface().radius_about(centre_)),
       longest_path_(longest_path * size_of(swept_.surface())) {}

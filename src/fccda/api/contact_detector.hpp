@@ -28,8 +28,8 @@ class ContactDetector {
  public:
   /// What a detector is built with, besides its surface.
   struct Options {
-    double radius = 0;                   ///< [m] contact radius: points are balls; 0 for points without extent. Overridden by radii passed to detect()
-    ContactBounds region = Unbounded();  ///< contact bounds, in the body frame
+    double radius = 0;                           ///< [m] contact radius: points are balls; 0 for points without extent. Overridden by radii passed to detect()
+    ContactBounds contact_bounds = Unbounded();  ///< in the body frame
   };
 
   /// Throws InputError if the radius is negative or not finite.

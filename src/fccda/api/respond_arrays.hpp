@@ -29,7 +29,7 @@ ContactSum respond(std::span<const Contact> contacts, const Motion& motion, Rigi
 
 /// The same without a change of the body. If its impulses come from several sources, such as the ranks of an MPI program or several sets of
 /// points, the caller sums the results and applies the total once:
-///   body.add_impulse(sum.impulse, sum.angular_impulse_about_com);
+///   body.add_impulse(sum.impulse, sum.angular_impulse);
 ContactSum respond_without_body(std::span<const Contact> contacts, const Motion& motion, const RigidBody& body, const PointArrays& points, double friction = 0);
 
 }  // namespace fccda

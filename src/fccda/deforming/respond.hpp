@@ -88,7 +88,7 @@ ContactSum respond(P& points, std::span<const DeformingContact> contacts, double
   }
   // before anything changes
   expect_finite(sum.impulse, "contact: the sum of the impulses on the surface");
-  expect_finite(sum.angular_impulse_about_com, "contact: the sum of the angular impulses on the surface");
+  expect_finite(sum.angular_impulse, "contact: the sum of the angular impulses on the surface");
   for (std::size_t c = 0; c < contacts.size(); ++c) {
     const DeformingContact& contact = contacts[c];
     points.set(contact.contact.point, after[c].position, after[c].velocity);

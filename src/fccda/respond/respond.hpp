@@ -42,13 +42,15 @@ namespace fccda {
 
 /// Sum of the contacts of a step, on the body.
 struct ContactSum {
-  Vec3d impulse{};                    ///< [N s]
-  Vec3d angular_impulse_about_com{};  ///< [N m s]
-  std::size_t contacts = 0;           ///< number of contacts
+  Vec3d impulse{};  ///< [N s]
+  /// [N m s] at a rigid body about the centre of mass of the RigidBody that respond() was given, where that is now; at a deforming surface about the
+  /// origin of the world frame.
+  Vec3d angular_impulse{};
+  std::size_t contacts = 0;  ///< number of contacts
 
   /// Adds the sum of other contacts.
   ContactSum& operator+=(const ContactSum& b) {
-    impulse += b.impulse, angular_impulse_about_com += b.angular_impulse_about_com, contacts += b.contacts;
+    impulse += b.impulse, angular_impulse += b.angular_impulse, contacts += b.contacts;
     return *this;
   }
 };
@@ -195,12 +197,12 @@ ContactSum resolve_points(P& points, std::span<const Contact> contacts, const Mo
     Vec3d place = point_of_application(contacts[k], points.position_t0(contacts[k].point), all[k].position, motion);
     if constexpr (CrushablePoints<P>) place -= points.offset(contacts[k].point);
     sum.impulse += impulse;
-    sum.angular_impulse_about_com += cross(place - centre_of_mass, impulse);
+    sum.angular_impulse += cross(place - centre_of_mass, impulse);
     ++sum.contacts;
   }
   // before anything changes
   expect_finite(sum.impulse, "contact: the sum of the impulses on the body");
-  expect_finite(sum.angular_impulse_about_com, "contact: the sum of the angular impulses on the body");
+  expect_finite(sum.angular_impulse, "contact: the sum of the angular impulses on the body");
   for (std::size_t k = 0; k < contacts.size(); ++k) {
     const Vec3d impulse = impulse_of(k);
     points.set(contacts[k].point, all[k].position, all[k].velocity);
@@ -215,7 +217,7 @@ ContactSum resolve_points(P& points, std::span<const Contact> contacts, const Mo
 template <PointsInContact P, class Report>
 ContactSum respond(P& points, std::span<const Contact> contacts, const Motion& motion, RigidBody& body, double friction, Report&& report) {
   const ContactSum sum = resolve_points(points, contacts, motion, body.position_of_com(), friction, report);
-  body.add_impulse(sum.impulse, sum.angular_impulse_about_com);
+  body.add_impulse(sum.impulse, sum.angular_impulse);
   return sum;
 }
 

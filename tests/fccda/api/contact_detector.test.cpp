@@ -162,7 +162,7 @@ TEST_CASE("plain call: a body moved by hand between two steps contacts points th
 
 TEST_CASE("plain call: a point that entered outside the contact bounds stays without contact when points are renumbered") {
   const Surface surface(make_box({.size = {1, 1, 1}, .edge_length = 0.25}));
-  ContactDetector detector(surface, {.region = BoxUnion({.size = {2, 2, 0.5}}, surface, Beyond::clip)});
+  ContactDetector detector(surface, {.contact_bounds = BoxUnion({.size = {2, 2, 0.5}}, surface, Beyond::clip)});
   const Vec3d far{0, 0, 5}, above{0.4, 0, 0.26}, in{0.4, 0, 0.24}, deeper{0.4, 0, 0.23};
   CHECK(detector.detect(fixtures::at_rest(), std::vector<Vec3d>{far, above}, std::vector<Vec3d>{far, in}).empty());
   detector.points_changed();

@@ -77,7 +77,7 @@ TEST_CASE("plain response: without the body it returns the body's impulse, and t
   for (const Contact& contact : contacts) sum += respond_without_body({&contact, 1}, motion, parts, {x_t0, again, w, 3.0}, 0.1);
   CHECK(parts.velocity() == Vec3d{});
   CHECK(sum.contacts == 2);
-  parts.add_impulse(sum.impulse, sum.angular_impulse_about_com);
+  parts.add_impulse(sum.impulse, sum.angular_impulse);
   CHECK((again == x && w == v));
   CHECK((parts.velocity() == whole.velocity() && parts.angular_velocity() == whole.angular_velocity()));
 }

@@ -135,6 +135,56 @@ const std::vector<Refusal>& refusals() {
          return fccda_surface_create(&s.at, nullptr, 0, 3, &options, &s.surface);
        },
        FCCDA_INPUT_ERROR, "surface: the orientation is 3, but it must be FCCDA_UNDECLARED"},
+      {"a weld distance below zero",
+       [](Scene& s) {
+         const std::int32_t panels[] = {0, 1, 2};
+         const fccda_surface_options options{-1, "net", FCCDA_NORMALS, 0};
+         return fccda_surface_create(&s.at, panels, 1, 3, &options, &s.surface);
+       },
+       FCCDA_INPUT_ERROR, "net: the weld distance is -1, but it must be a finite number of at least 0; 0 merges coincident vertices only."},
+      {"a weld distance that is no number",
+       [](Scene& s) {
+         const std::int32_t panels[] = {0, 1, 2};
+         const fccda_surface_options options{nan, "net", FCCDA_NORMALS, 0};
+         return fccda_surface_create(&s.at, panels, 1, 3, &options, &s.surface);
+       },
+       FCCDA_INPUT_ERROR, "net: the weld distance is nan"},
+      {"a reserved member of options",
+       [](Scene& s) {
+         const std::int32_t panels[] = {0, 1, 2};
+         const fccda_surface_options options{0, "net", FCCDA_NORMALS, 7};
+         return fccda_surface_create(&s.at, panels, 1, 3, &options, &s.surface);
+       },
+       FCCDA_INPUT_ERROR, "fccda: the member `reserved` of `options` is 7, but it must be 0; set the structure to zero before its members."},
+      {"a reserved member of a propeller",
+       [](Scene& s) {
+         fccda_propeller propeller = s.propeller;
+         propeller.reserved = 1;
+         return fccda_surface_propeller(&propeller, &s.surface);
+       },
+       FCCDA_INPUT_ERROR, "fccda: the member `reserved` of `propeller` is 1"},
+      {"a reserved member of sectors",
+       [](Scene& s) {
+         const fccda_sectors sectors{{0, 0, 1}, {0, 0, 0}, 3, 3, 0, 0, 0, 1, 5};
+         return fccda_detector_create_in_sectors(s.cube, 0, &sectors, FCCDA_REFUSE_BEYOND, &s.other);
+       },
+       FCCDA_INPUT_ERROR, "fccda: the member `reserved` of `sectors` is 5"},
+      {"a reserved member of vectors", with_points([](Scene&, fccda_points& p) { p.x_t1.reserved = -1; }), FCCDA_INPUT_ERROR,
+       "fccda: the member `reserved` of `x_t1` is -1"},
+      {"a reserved member of numbers", with_points([](Scene&, fccda_points& p) { p.radius = fccda_one(0.1), p.radius.reserved = 2; }), FCCDA_INPUT_ERROR,
+       "fccda: the member `reserved` of `radius` is 2"},
+      {"sectors with an angle that is no number",
+       [](Scene& s) {
+         const fccda_sectors sectors{{0, 0, 1}, {0, 0, 0}, 3, 3, 0, nan, 0, 1, 0};
+         return fccda_detector_create_in_sectors(s.cube, 0, &sectors, FCCDA_IGNORE_BEYOND, &s.other);
+       },
+       FCCDA_INPUT_ERROR, "contact bounds: the angle of the cylinder's sectors is nan rad"},
+      {"a box with a centre that is no number",
+       [](Scene& s) {
+         const fccda_box box{{1, 1, 1}, {0, nan, 0}};
+         return fccda_detector_create_in_boxes(s.cube, 0, &box, 1, FCCDA_IGNORE_BEYOND, &s.other);
+       },
+       FCCDA_INPUT_ERROR, "contact bounds: the centre of the box is (0, nan, 0), but it must be finite."},
       {"a closed surface whose outside is inside",
        [](Scene& s) {
          const std::int32_t panels[] = {0, 2, 1, 0, 1, 4, 1, 2, 4, 2, 0, 4};
