@@ -448,8 +448,13 @@ typedef struct fccda_deforming_surface fccda_deforming_surface;
 fccda_status fccda_deforming_surface_create(const fccda_surface* surface, fccda_deforming_surface** deforming);
 
 /// Begins a step, with the vertices of the panels, as numbered when they were given or read, where they are at its end [m]. Refuses, and changes nothing:
-/// another number of them, what is not finite, vertices that were merged and part, panels that lose their area, closed surfaces turned inside out.
+/// another number of them, vertices that were merged and part, panels that lose their area, closed surfaces turned inside out; a vertex that is not finite, or
+/// moves farther than 1e6 sizes of the surface, is a run error.
 fccda_status fccda_deforming_surface_move(fccda_deforming_surface* surface, const fccda_vectors* vertices);
+
+/// Puts the surface at rest with its vertices there [m], between two steps: after a restart, or where a step began that is rejected. Detectors then continue
+/// by fccda_deforming_detector_resume() from the state that they had there. Refuses as above.
+fccda_status fccda_deforming_surface_place(fccda_deforming_surface* surface, const fccda_vectors* vertices);
 
 /// Writes to `text`, in lines that belong to the handle, what is unusual about the step that the surface has begun: panels that move farther than their
 /// longest edge, turn by more than 90°, or pass through others. "" if nothing is. Takes longer than the move: for a check now and then.

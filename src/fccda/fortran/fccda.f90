@@ -390,6 +390,12 @@ module fccda
       type(fccda_vectors), intent(in) :: vertices
     end function
 
+    integer(c_int) function fccda_deforming_surface_place(surface, vertices) bind(C)
+      import
+      type(c_ptr), value :: surface
+      type(fccda_vectors), intent(in) :: vertices
+    end function
+
     integer(c_int) function fccda_deforming_surface_warnings(surface, text) bind(C)
       import
       type(c_ptr), value :: surface

@@ -472,6 +472,8 @@ TEST_CASE("C interface: NULL is refused wherever it is no choice, by the name of
       {"deforming", fccda_deforming_surface_create(s.cube, nullptr)},
       {"surface", fccda_deforming_surface_move(nullptr, &s.at)},
       {"vertices", fccda_deforming_surface_move(s.soft, nullptr)},
+      {"surface", fccda_deforming_surface_place(nullptr, &s.at)},
+      {"vertices", fccda_deforming_surface_place(s.soft, nullptr)},
       {"surface", fccda_deforming_surface_warnings(nullptr, &text)},
       {"text", fccda_deforming_surface_warnings(s.soft, nullptr)},
       {"surface", fccda_deforming_detector_create(nullptr, 0, &s.other_soft_detector)},
