@@ -55,8 +55,8 @@ enum {
 /// The sentence of the last call of this thread that failed; "" before. It remains up to the next such call of the thread.
 const char* fccda_last_error(void);
 
-/// Sets the number of OpenMP threads that detections called from this thread use, at least 1; otherwise it is that of OMP_NUM_THREADS. Results do not
-/// depend on it.
+/// Sets the number of OpenMP threads that calls from this thread use, at least 1; otherwise it is that of OMP_NUM_THREADS. Detections use several, and so do
+/// responses at rigid surfaces with 64 contacts or more. Results do not depend on it.
 fccda_status fccda_use_threads(int32_t count);
 
 /* ---- arrays of the program ---- */
@@ -399,7 +399,11 @@ const char* fccda_detector_bounds(const fccda_detector* detector);
 
 /// Finds the contacts of a step, in the order of points, and keeps them up to the next step. It changes no point. `count`, which may be NULL: their number.
 /// Refuses positions that differ in number, and poses that are none; a position that is not finite, or a point that moves farther than 1e6 sizes of the
-/// surface, is a run error. Points may be appended or removed at the end between two steps.
+/// surface, is a run error.
+///
+/// Points may be appended or removed at the end between two steps, but not both between the same two, unless fccda_detector_moved() reports each number that
+/// is used again. To repeat a step, which was rejected, is corrected or failed, save fccda_detector_state() before it and pass it to
+/// fccda_detector_resume() before detecting again.
 ///
 /// Positions x_t1 in single precision are relocated to an offset o beyond the contact radius, 2.4e-7 of the largest coordinate of the surface, so that
 /// rounding moves none inside, and are in contact from o below it. The response reduces the velocity away from the surface by up to 2 o/dt, which is
@@ -441,7 +445,8 @@ void fccda_detector_destroy(fccda_detector* detector);
 
 /* ---- contact with deforming surfaces ---- */
 
-/// A surface whose vertices move: straight and uniformly within a step. Any number of detectors may share it; it is moved once a step.
+/// A surface whose vertices move: straight and uniformly within a step. Any number of detectors may share it; it is moved once a step. Vertices that were
+/// merged move together; impulses are on that of the first panel, whose mass counts.
 typedef struct fccda_deforming_surface fccda_deforming_surface;
 
 /// At rest at first. Refuses surfaces of closed parts that may overlap.

@@ -44,9 +44,9 @@ class ContactDetector {
   /// The contacts of one step, in point order, bitwise identical for any number of threads. x_t0 and x_t1 [m] are positions in the world
   /// frame at the two ends of the step. x_t0 must equal x_t1 of the previous step after relocation; see below for other points. motion.t0
   /// should be motion.t1 of the previous step; if the body was moved in between, all points are evaluated again. Points may be appended
-  /// or removed at the end between steps, but not both between the same two. Throws InputError if x_t0 and x_t1 differ in number or the
-  /// motion is not finite. Throws RunError if a position is not finite, or a point moves farther in the step than `longest_path` sizes of
-  /// the surface.
+  /// or removed at the end between steps, but not both between the same two, unless each number that is used again is reported as moved. To repeat a step,
+  /// save state() before it and resume() that state before detecting again; the same after an exception. Throws InputError if x_t0 and x_t1 differ in number or
+  /// the motion is not finite. Throws RunError if a position is not finite, or a point moves farther in the step than `longest_path` sizes of the surface.
   ///
   /// Positions in single precision are relocated to an offset o of 2.4e-7 of the largest coordinate of the surface beyond the contact radius, so that
   /// rounding moves none inside, and are in contact from as much below it (Contact::offset). Throws InputError if o is more than a tenth of the radius,

@@ -37,9 +37,10 @@ class DeformingContactDetector {
   explicit DeformingContactDetector(std::shared_ptr<const DeformingSurface> surface, double radius = 0) : detector_(std::move(surface), radius) {}
 
   /// The contacts of the step that the surface has begun, in point order, bitwise identical for any number of threads. x_t0 and x_t1 [m]: positions
-  /// at the two ends of the step; x_t0 must equal x_t1 of the previous step after relocation. Throws InputError if they differ in number, or the
-  /// surface was not moved since the last detection. Throws RunError if a position is not finite, or a point moves farther than
-  /// ContactDetector::longest_path sizes of the surface. Positions in single precision: as ContactDetector::detect.
+  /// at the two ends of the step; x_t0 must equal x_t1 of the previous step after relocation. Points may be appended or removed, and steps repeated, as with
+  /// ContactDetector; the surface is then placed where the step begins (DeformingSurface::place). Throws InputError if they differ in number, or the surface
+  /// was not moved since the last detection. Throws RunError if a position is not finite, or a point moves farther than ContactDetector::longest_path sizes of
+  /// the surface. Positions in single precision: as ContactDetector::detect.
   std::vector<DeformingContact> detect(ConstVectors x_t0, ConstVectors x_t1);
 
   /// The same with an individual contact radius for each point [m], finite and at least 0. Radii may change from step to step.

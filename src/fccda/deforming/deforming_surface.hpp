@@ -51,7 +51,7 @@ class DeformingSurface {
   /// A triangle during the step.
   MovingTriangle triangle(std::size_t t) const { return {corners(at_t0(), t), corners(at_t1(), t)}; }
 
-  /// The vertices of the panels that are the corners of a triangle.
+  /// The vertices of the panels that are the corners of a triangle; of merged ones that of the first panel.
   std::array<int, 3> panel_vertices(std::size_t t) const;
 
   std::uint64_t steps() const { return steps_; }            ///< number of moves and placements so far
