@@ -1,7 +1,6 @@
 // Points in single precision: rest, sliding, and what is refused.
 #include <doctest/doctest.h>
 
-#include <algorithm>
 #include <cmath>
 #include <string>
 
@@ -9,6 +8,7 @@
 #include "fccda/api/contact_detector.hpp"
 #include "fccda/api/deforming_contact_detector.hpp"
 #include "fccda/api/respond_arrays.hpp"
+#include "fixtures/larger.hpp"
 #include "fixtures/tolerance.hpp"
 #include "mesh/shapes/box.hpp"
 
@@ -40,8 +40,8 @@ Rest rest_on(double top, double radius, double speed, const Vec3d& gravity, doub
     const ContactSum sum = contact(x_t0, x_t1, v);
     rest.time = step * dt;
     rest.pushes += sum.contacts, rest.momentum += sum.impulse.z;
-    rest.fastest = std::max(rest.fastest, v[2] - speed);
-    rest.highest = std::max(rest.highest, x_t1[2] - (top + speed * rest.time) - radius);
+    rest.fastest = fixtures::larger(rest.fastest, v[2] - speed);
+    rest.highest = fixtures::larger(rest.highest, x_t1[2] - (top + speed * rest.time) - radius);
   }
   rest.momentum += v[2] - speed - gravity.z * rest.time;
   rest.along = v[0];
