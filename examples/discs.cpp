@@ -73,7 +73,7 @@ Outcome run(std::size_t ranks) {
     }
     ContactSum sum;  // MPI_Allreduce of seven numbers; the body then moves identically in all processes
     for (const Rank& rank : parts) sum += rank.sum;
-    wheel.add_impulse(sum.impulse, sum.angular_impulse_about_com);
+    wheel.add_impulse(sum.impulse, sum.angular_impulse);
     outcome.angle += dt * wheel.angular_velocity().z;
     outcome.contacts += sum.contacts;
   }

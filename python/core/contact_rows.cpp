@@ -12,6 +12,7 @@ ContactRow row_of(const fccda::Contact& contact) {
                  .time_fraction = contact.time_fraction,
                  .depth = contact.depth,
                  .radius = contact.radius,
+                 .offset = contact.offset,
                  .hit = {},
                  .normal = {},
                  .relocation = {},
@@ -31,6 +32,7 @@ fccda::Contact contact_of(const ContactRow& row, std::size_t points, const fccda
           .relocation = vector_in(row.relocation),
           .depth = row.depth,
           .radius = row.radius,
+          .offset = row.offset,
           .normal_t0 = sliding ? vector_in(row.normal_t0) : Vec3d{},  // moves the point along the surface, which must be there
           .sliding = sliding};
 }

@@ -13,7 +13,7 @@ namespace perimpact::python {
 struct ContactRow {
   std::int64_t point;
   std::int32_t panel;
-  double time_fraction, depth, radius;
+  double time_fraction, depth, radius, offset;
   double hit[3], normal[3], relocation[3], normal_t0[3];
 };
 

@@ -122,8 +122,8 @@ Raises InputError where closed parts of the surface may overlap: their union is 
            R"(Begins a step, which starts where the last one ended. vertices: (n, 3) positions at the end of the step [m], numbered as the vertices of the Mesh
 that the surface was made of; not modified.
 
-Raises InputError, and changes nothing, if their number differs, one is not finite or moves farther than 1e6 sizes of the surface, welded vertices part, a
-panel loses its area, or a closed surface is turned inside out.)")
+Raises RunError if one is not finite or moves farther than 1e6 sizes of the surface, and InputError if their number differs, welded vertices part, a
+panel loses its area, or a closed surface is turned inside out. Nothing changes then.)")
       .def("step_warnings", &fccda::step_warnings,
            R"(Sentences about the step that the surface has begun: panels that move farther than their longest edge, turn by more than 90°, or pass through
 others at its end. Empty if there is nothing to report. Takes longer than move: for a check now and then.)")
@@ -181,8 +181,8 @@ t1. Raises InputError if arrays differ in length, dt or a mass of a vertex is no
 
 void bind_deforming(py::module_& module) {
   PYBIND11_NUMPY_DTYPE_EX(DeformingContactRow, contact.point, "point", contact.panel, "panel", contact.time_fraction, "time_fraction", contact.depth, "depth",
-                          contact.radius, "radius", contact.hit, "hit", contact.normal, "normal", contact.relocation, "relocation", contact.normal_t0,
-                          "normal_t0", vertices, "vertices", weights, "weights", corners, "corners", displacement, "displacement");
+                          contact.radius, "radius", contact.offset, "offset", contact.hit, "hit", contact.normal, "normal", contact.relocation, "relocation",
+                          contact.normal_t0, "normal_t0", vertices, "vertices", weights, "weights", corners, "corners", displacement, "displacement");
   bind_deforming_surface(module);
   bind_deforming_detector(module);
   bind_deforming_response(module);

@@ -243,7 +243,7 @@ fccda::ContactDetector detector_of(GivenSurface& surface, double radius, const s
     std::vector<fccda::BoxUnion::Shape> shapes;
     for (const auto& [size, centre] : *boxes) shapes.push_back({size, centre});
     try {
-      options.region = fccda::BoxUnion(shapes, surface.surface(), clip ? fccda::Beyond::clip : fccda::Beyond::error);
+      options.contact_bounds = fccda::BoxUnion(shapes, surface.surface(), clip ? fccda::Beyond::clip : fccda::Beyond::error);
     } catch (const InputError& error) {
       throw InputError(error.in_words_of(python_words));
     }
@@ -288,7 +288,7 @@ fccda::ContactSum respond_to(const py::array_t<ContactRow, py::array::c_style>& 
 }
 
 void bind_contact(py::module_& module) {
-  PYBIND11_NUMPY_DTYPE(ContactRow, point, panel, time_fraction, depth, radius, hit, normal, relocation, normal_t0);
+  PYBIND11_NUMPY_DTYPE(ContactRow, point, panel, time_fraction, depth, radius, offset, hit, normal, relocation, normal_t0);
   py::class_<fccda::ContactDetector>(
       module, "ContactDetector",
       R"(Continuous collision detection between points and a moving surface. One detector serves one set of points and caches their distances.
@@ -304,7 +304,8 @@ radius: contact radius of each point [m], for different radii; it may change fro
 
 Returns a structured array with the fields point, panel (number in the mesh), time_fraction (time of impact, 0 to 1), depth (distance from x_t1 to the
 relocation) [m], hit (point of first contact on the surface) [m], normal (outward unit normal), relocation (corrected position of the point) [m], radius
-(contact radius of the point) [m], normal_t0 (surface normal at t0 of a ball in contact there, along which the impulse acts; else 0).)")
+(contact radius of the point) [m], offset (by how much contact is tested nearer than the radius and relocated farther, for positions in float32; 0 for
+float64) [m], normal_t0 (surface normal at t0 of a ball in contact there, along which the impulse acts; else 0).)")
       .def("points_inside", &points_inside, "pose"_a, "x"_a, "radius"_a = py::none(),
            "Indices of the points x (points, 3) [m] that are inside the surface or closer than the contact radius (`radius` per point [m] if given); for use "
            "before the first step.")
@@ -316,7 +317,7 @@ relocation) [m], hit (point of first contact on the surface) [m], normal (outwar
 
   py::class_<fccda::ContactSum>(module, "ContactSum", "Sum of the contacts of a step, acting on the body.")
       .def_readonly("impulse", &fccda::ContactSum::impulse, "(3,) impulse [N s]; divided by dt, the mean force.")
-      .def_readonly("angular_impulse", &fccda::ContactSum::angular_impulse_about_com, "(3,) angular impulse about the centre of mass [N m s].")
+      .def_readonly("angular_impulse", &fccda::ContactSum::angular_impulse, "(3,) angular impulse about the centre of mass [N m s].")
       .def_readonly("contacts", &fccda::ContactSum::contacts, "Number of contacts.");
 
   module.def("respond", &respond_to, "contacts"_a, "motion"_a, "body"_a, py::kw_only(), "x_t0"_a, "x_t1"_a.noconvert(), "velocity"_a.noconvert(), "mass"_a,

@@ -48,15 +48,15 @@ typedef int fccda_status;
 enum {
   FCCDA_OK = 0,             ///< done
   FCCDA_INPUT_ERROR = 1,    ///< an argument, a file or a surface cannot be used
-  FCCDA_RUN_ERROR = 2,      ///< the calculation cannot continue: a position of a point that is not finite, or far too fast
+  FCCDA_RUN_ERROR = 2,      ///< the solver has become unstable: a position or velocity of a point, or a vertex, is not finite or far too fast
   FCCDA_INTERNAL_ERROR = 3  ///< no memory, or a fault of the library
 };
 
 /// The sentence of the last call of this thread that failed; "" before. It remains up to the next such call of the thread.
 const char* fccda_last_error(void);
 
-/// Sets the number of OpenMP threads that detections called from this thread use, at least 1; otherwise it is that of OMP_NUM_THREADS. Results do not
-/// depend on it.
+/// Sets the number of OpenMP threads that calls from this thread use, at least 1; otherwise it is that of OMP_NUM_THREADS. Detections use several, and so do
+/// responses at rigid surfaces with 64 contacts or more. Results do not depend on it.
 fccda_status fccda_use_threads(int32_t count);
 
 /* ---- arrays of the program ---- */
@@ -64,7 +64,7 @@ fccda_status fccda_use_threads(int32_t count);
 enum {
   FCCDA_UNSET = 0,   ///< nothing is given
   FCCDA_DOUBLE = 1,  ///< double precision
-  FCCDA_FLOAT = 2,   ///< single precision: read as double, rounded when written
+  FCCDA_FLOAT = 2,   ///< single precision: read as double, rounded when written; see fccda_detect()
   FCCDA_ONE = 3      ///< one number for all (fccda_numbers)
 };
 
@@ -149,13 +149,13 @@ typedef struct fccda_surface fccda_surface;
 
 enum {
   FCCDA_UNDECLARED = 0,  ///< the surface is closed
-  FCCDA_NORMALS = 1,     ///< outside of an open surface is where the normals of its panels point
-  FCCDA_REVERSED = 2     ///< outside of an open surface is the other side
+  FCCDA_NORMALS = 1,     ///< outside of an open surface is where the normals of its panels point; without effect on a closed one
+  FCCDA_REVERSED = 2     ///< outside of an open surface is the other side; refused for a closed one
 };
 
 /// How panels become a surface. All zero, or NULL instead of it, is the default.
 typedef struct fccda_surface_options {
-  double weld_distance;  ///< [m] vertices nearer than this are merged; always those nearer than 1e-9 of the surface's size
+  double weld_distance;  ///< [m] at least 0: vertices nearer than this are merged; always those nearer than 1e-9 of the surface's size
   const char* name;      ///< its name in sentences; NULL: "surface"
   int32_t orientation;   ///< of an open surface: FCCDA_UNDECLARED, FCCDA_NORMALS or FCCDA_REVERSED
   int32_t reserved;      ///< 0
@@ -278,7 +278,7 @@ typedef struct fccda_body_properties {
   int32_t is_free[6];          ///< 1 where impulses change the motion: translation along, rotation about x, y, z of the world
 } fccda_body_properties;
 
-/// The body frame in the world frame.
+/// At the origin and not rotated: the body frame is the world frame.
 static inline fccda_pose fccda_no_pose(void) {
   fccda_pose pose = {{0, 0, 0}, {1, 0, 0, 0}};
   return pose;
@@ -347,7 +347,7 @@ typedef struct fccda_contact {
 /// What a response gave to the surface.
 typedef struct fccda_contact_sum {
   double impulse[3];          ///< [N s] of all contacts; divided by dt, the mean force
-  double angular_impulse[3];  ///< [N m s] about the centre of mass at t1; of a deforming surface about the origin
+  double angular_impulse[3];  ///< [N m s] about the body's centre of mass at t1; without a body about motion->centre; of a deforming surface about the origin
   int64_t contacts;           ///< their number
 } fccda_contact_sum;
 
@@ -365,7 +365,7 @@ enum {
 
 /// A box along the axes of the body frame.
 typedef struct fccda_box {
-  double size[3];    ///< [m] edge lengths
+  double size[3];    ///< [m] edge lengths, positive
   double centre[3];  ///< [m] from the origin of the body frame
 } fccda_box;
 
@@ -373,20 +373,21 @@ typedef struct fccda_box {
 typedef struct fccda_sectors {
   double axis[3];       ///< direction of the cylinder; need not be a unit vector
   double point[3];      ///< [m] centre of the cylinder
-  double radius;        ///< [m]
-  double length;        ///< [m]
-  double hub_radius;    ///< [m] occupied at all angles
-  double sector_angle;  ///< [rad] of each sector; 0: the whole cylinder
+  double radius;        ///< [m] positive
+  double length;        ///< [m] at least 0
+  double hub_radius;    ///< [m] occupied at all angles; at least 0
+  double sector_angle;  ///< [rad] of each sector, at most 2π; 0: the whole cylinder
   double start_angle;   ///< [rad] begin of the first sector, from x for the axis z, from y for x, from z for y
-  int32_t blades;       ///< number of sectors
+  int32_t blades;       ///< number of sectors, 1 to 1000
   int32_t reserved;     ///< 0
 } fccda_sectors;
 
-/// A detector within contact bounds of one or several boxes, which may overlap. `beyond`: FCCDA_REFUSE_BEYOND or FCCDA_IGNORE_BEYOND.
+/// A detector within contact bounds of one or several boxes, which may overlap. `beyond`: FCCDA_REFUSE_BEYOND or FCCDA_IGNORE_BEYOND. Refuses bounds with
+/// a number that is not finite or out of its range, and those that no panel reaches.
 fccda_status fccda_detector_create_in_boxes(const fccda_surface* surface, double radius, const fccda_box* boxes, size_t box_count, int32_t beyond,
                                             fccda_detector** detector);
 
-/// A detector within contact bounds of a cylinder with sectors.
+/// A detector within contact bounds of a cylinder with sectors; refuses as above.
 fccda_status fccda_detector_create_in_sectors(const fccda_surface* surface, double radius, const fccda_sectors* sectors, int32_t beyond,
                                               fccda_detector** detector);
 
@@ -398,7 +399,15 @@ const char* fccda_detector_bounds(const fccda_detector* detector);
 
 /// Finds the contacts of a step, in the order of points, and keeps them up to the next step. It changes no point. `count`, which may be NULL: their number.
 /// Refuses positions that differ in number, and poses that are none; a position that is not finite, or a point that moves farther than 1e6 sizes of the
-/// surface, is a run error. Points may be appended or removed at the end between two steps.
+/// surface, is a run error.
+///
+/// Points may be appended or removed at the end between two steps, but not both between the same two, unless fccda_detector_moved() reports each number that
+/// is used again. To repeat a step, which was rejected, is corrected or failed, save fccda_detector_state() before it and pass it to
+/// fccda_detector_resume() before detecting again.
+///
+/// Positions x_t1 in single precision are relocated to an offset o beyond the contact radius, 2.4e-7 of the largest coordinate of the surface, so that
+/// rounding moves none inside, and are in contact from o below it. The response reduces the velocity away from the surface by up to 2 o/dt, which is
+/// this way in one step. Refuses o above a tenth of a contact radius, or of the surface's size for points without extent.
 fccda_status fccda_detect(fccda_detector* detector, const fccda_motion* motion, const fccda_points* points, size_t* count);
 
 /// The contacts that were found: *contacts[0] to [count - 1].
@@ -427,7 +436,8 @@ fccda_status fccda_detector_points_inside(fccda_detector* detector, const fccda_
 /// What the next step depends on besides positions and poses, as numbers to be saved for a restart.
 fccda_status fccda_detector_state(fccda_detector* detector, const int64_t** numbers, size_t* count);
 
-/// Continues from saved numbers, with the same surface and radius. The restart is bitwise exact.
+/// Continues from saved numbers, with the same surface, radius and contact bounds. The restart is bitwise exact; at an open surface as long as no individual
+/// radius grows from the last step before to the first one after it.
 fccda_status fccda_detector_resume(fccda_detector* detector, const int64_t* numbers, size_t count);
 
 /// Ends the use of the handle; NULL is allowed.
@@ -435,15 +445,21 @@ void fccda_detector_destroy(fccda_detector* detector);
 
 /* ---- contact with deforming surfaces ---- */
 
-/// A surface whose vertices move: straight and uniformly within a step. Any number of detectors may share it; it is moved once a step.
+/// A surface whose vertices move: straight and uniformly within a step. Any number of detectors may share it; it is moved once a step. Vertices that were
+/// merged move together; impulses are on that of the first panel, whose mass counts.
 typedef struct fccda_deforming_surface fccda_deforming_surface;
 
 /// At rest at first. Refuses surfaces of closed parts that may overlap.
 fccda_status fccda_deforming_surface_create(const fccda_surface* surface, fccda_deforming_surface** deforming);
 
 /// Begins a step, with the vertices of the panels, as numbered when they were given or read, where they are at its end [m]. Refuses, and changes nothing:
-/// another number of them, what is not finite, vertices that were merged and part, panels that lose their area, closed surfaces turned inside out.
+/// another number of them, vertices that were merged and part, panels that lose their area, closed surfaces turned inside out; a vertex that is not finite, or
+/// moves farther than 1e6 sizes of the surface, is a run error.
 fccda_status fccda_deforming_surface_move(fccda_deforming_surface* surface, const fccda_vectors* vertices);
+
+/// Puts the surface at rest with its vertices there [m], between two steps: after a restart, or where a step began that is rejected. Detectors then continue
+/// by fccda_deforming_detector_resume() from the state that they had there. Refuses as above.
+fccda_status fccda_deforming_surface_place(fccda_deforming_surface* surface, const fccda_vectors* vertices);
 
 /// Writes to `text`, in lines that belong to the handle, what is unusual about the step that the surface has begun: panels that move farther than their
 /// longest edge, turn by more than 90°, or pass through others. "" if nothing is. Takes longer than the move: for a check now and then.

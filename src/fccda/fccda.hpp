@@ -1,4 +1,9 @@
-/// Contact of a program's points with moving surfaces, rigid and deforming: the complete interface of detection and response.
+/// Contact of a program's points with moving surfaces, rigid and deforming: detection and response as plain calls, bodies, surfaces and their files.
+///
+/// In headers of their own: contact bounds fitted to a surface (contact_bounds/fit_contact_bounds.hpp), several bodies resolved together
+/// (respond/resolve_together.hpp), implicit coupling (respond/coupling.hpp), gauges and loads of panels (respond/gauge.hpp, panel_loads.hpp), applied loads
+/// and prescribed motion (rigid_body/), the detectors of comparison (detect/analytic.hpp, published.hpp), elastic bodies and structures (elastic/, modes/),
+/// and checks of surfaces (mesh/inspect/).
 #pragma once
 
 #include "base/error.hpp"                            // InputError, RunError

@@ -3,12 +3,25 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <string>
 
+#include "base/error.hpp"
+#include "base/finite.hpp"
 #include "mesh/submerged.hpp"
 
 namespace fccda {
 
 namespace {
+
+void expect_usable(const StillWater& water, const Surface& surface) {
+  expect_finite(water.level, "still water: the level");
+  const auto expect = [](double value, const std::string& what) {
+    if (!(value >= 0 && std::isfinite(value)))
+      throw InputError("still water: the " + what + " is " + in_words(value) + ", but it must be a finite number of at least 0.");
+  };
+  expect(water.density, "density"), expect(water.gravity, "gravity"), expect(water.damping, "damping");
+  if (!surface.is_closed()) throw InputError("still water: the surface of the body is open, so it displaces no volume; close its holes.");
+}
 
 SubmergedVolume under(double level, const RigidBody& body, const Surface& surface) {
   const Pose& pose = body.pose();
@@ -30,6 +43,7 @@ Heights heights(const RigidBody& body, const Surface& surface) {
 }  // namespace
 
 Hydrostatics hydrostatics(const RigidBody& body, const Surface& surface, const StillWater& water) {
+  expect_usable(water, surface);
   const SubmergedVolume wet = under(water.level, body, surface);
   const Vec3d centre = body.pose().to_world(wet.centre), com = body.position_of_com();
   const double buoyancy = water.density * water.gravity * wet.volume, weight = body.mass() * water.gravity;
@@ -57,6 +71,7 @@ WaterSum apply(const StillWater& water, const Surface& surface, RigidBody& body,
 }
 
 std::optional<double> level_at_rest(const RigidBody& body, const Surface& surface, const StillWater& water) {
+  expect_usable(water, surface);
   const double wanted = body.mass() / water.density;  // [m³]
   if (wanted > surface.report().volume) return std::nullopt;
   auto [low, high] = heights(body, surface);

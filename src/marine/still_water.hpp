@@ -17,7 +17,8 @@
 
 namespace fccda {
 
-/// Water without waves and currents.
+/// Water without waves and currents. The functions below throw InputError if a number is not finite, or one but the level is negative, or the surface is
+/// open.
 struct StillWater {
   double level = 0;       ///< [m] z of the water surface
   double density = 1025;  ///< [kg/m³]

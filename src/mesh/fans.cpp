@@ -11,12 +11,12 @@ std::size_t corner_of(const Triangle& triangle, int vertex) { return triangle.ve
 
 }  // namespace
 
-std::vector<bool> separate_fans(LinkedTriangles& surface) {
+FanVertices separate_fans(LinkedTriangles& surface) {
   const std::vector<Triangle> old = surface.triangles;
   for (Triangle& triangle : surface.triangles) triangle.vertex = {-1, -1, -1};
   std::vector<Vec3d> vertices;
   vertices.reserve(surface.vertices.size());
-  std::vector<bool> on_rim;
+  FanVertices out;
 
   // Numbers the corners of one fan from `start`, across the edge that ends (or begins) at the vertex. False at a boundary edge.
   const auto walk = [&](Corner start, std::size_t edge_from_corner, int number) {
@@ -37,13 +37,14 @@ std::vector<bool> separate_fans(LinkedTriangles& surface) {
       if (surface.triangles[t].vertex[c] >= 0) continue;
       const int number = static_cast<int>(vertices.size());
       vertices.push_back(surface.vertices[static_cast<std::size_t>(old[t].vertex[c])]);
+      out.former.push_back(old[t].vertex[c]);
       const bool goes_round = walk({t, c}, edge_that_ends, number);
       if (!goes_round) walk({t, c}, edge_that_begins, number);
-      on_rim.push_back(!goes_round);
+      out.on_rim.push_back(!goes_round);
     }
   }
   surface.vertices = std::move(vertices);
-  return on_rim;
+  return out;
 }
 
 }  // namespace fccda

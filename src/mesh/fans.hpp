@@ -8,8 +8,13 @@
 
 namespace fccda {
 
-/// Gives each fan its own vertex, in the order of the triangles, and removes unused vertices. Returns for each vertex whether it lies on a
-/// boundary edge. Expects consistent winding.
-std::vector<bool> separate_fans(LinkedTriangles& surface);
+/// Of each vertex after the separation of fans.
+struct FanVertices {
+  std::vector<bool> on_rim;   ///< it lies on a boundary edge
+  std::vector<int> former{};  ///< its number before
+};
+
+/// Gives each fan its own vertex, in the order of the triangles, and removes unused vertices. Expects consistent winding.
+FanVertices separate_fans(LinkedTriangles& surface);
 
 }  // namespace fccda

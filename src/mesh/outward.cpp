@@ -45,6 +45,10 @@ Outward orient_outward(LinkedTriangles& surface, const Components& components, O
     }
   }
   if (!all_closed) expect_declared(outside, surface, name);
+  if (all_closed && outside == Orientation::reversed)
+    throw InputError(name +
+                     ": the surface is closed, so its outside is known, and cannot be declared as reversed; omit the orientation, or for a container leave one "
+                     "side open, such as its lid, or give its walls a thickness by a second surface inside.");
 
   const Nesting nesting = find_nesting(surface, components, is_closed);
   Outward out;

@@ -11,7 +11,8 @@
 
 namespace fccda {
 
-/// The declared outside of an open surface.
+/// The declared outside of an open surface: where the normals of its panels point, or the other side. A closed one has its outside outside; there
+/// `normals` is without effect, and `reversed` is refused.
 enum class Orientation : std::uint8_t { undeclared, normals, reversed };
 
 /// What orient_outward() found and changed.
@@ -22,8 +23,8 @@ struct Outward {
 };
 
 /// Orients closed components outward by the sign of their volume. One inside an odd number of others bounds a cavity, and its normals
-/// point into it. Open components are flipped if `outside` is `reversed`. Throws InputError if a closed component encloses no volume, or
-/// if one is open and `outside` is undeclared.
+/// point into it. Open components are flipped if `outside` is `reversed`. Throws InputError if a closed component encloses no volume, if
+/// one is open and `outside` is undeclared, or if all are closed and `outside` is `reversed`.
 Outward orient_outward(LinkedTriangles& surface, const Components& components, Orientation outside, const std::string& name);
 
 }  // namespace fccda

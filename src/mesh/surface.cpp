@@ -20,6 +20,13 @@
 namespace fccda {
 namespace {
 
+void expect_distance(double distance, const std::string& name, const std::string& what) {
+  if (distance >= 0 && std::isfinite(distance)) return;
+  std::ostringstream sentence;
+  sentence << name << ": the " << what << " is " << distance << ", but it must be a finite number of at least 0; 0 merges coincident vertices only.";
+  throw InputError(sentence.str());
+}
+
 /// Rejects input that no later stage can process.
 void expect_usable(const Panels& panels, const std::string& name) {
   if (panels.panels.empty()) throw InputError(name + ": the surface has no panels; check that the file or shape is the right one.");
@@ -114,6 +121,8 @@ void measure(const LinkedTriangles& surface, SurfaceReport& report) {
 
 Surface::Surface(const Panels& panels, const Options& options) : panels_(panels), part_names_(panels.part_names) {
   expect_usable(panels, options.name);
+  expect_distance(options.weld_distance, options.name, "weld distance");
+  expect_distance(options.weld_tolerance, options.name, "weld tolerance");
   const double tolerance = options.weld_tolerance * norm(bounds_of_used(panels).size());
   report_.panels = panels.panels.size();
   if (part_names_.empty()) part_names_.emplace_back();
@@ -143,7 +152,9 @@ Surface::Surface(const Panels& panels, const Options& options) : panels_(panels)
   for (const int component : components.of_triangle)
     solid_of_.push_back(number[static_cast<std::size_t>(outward.solid_of_component[static_cast<std::size_t>(component)])]);
 
-  boundary_vertices_ = separate_fans(linked_);
+  FanVertices fans = separate_fans(linked_);
+  boundary_vertices_ = std::move(fans.on_rim);
+  welded_to_ = std::move(welded.new_number), welded_from_ = std::move(fans.former);
   report_.triangles = linked_.triangles.size();
   report_.vertices = linked_.vertices.size();
 

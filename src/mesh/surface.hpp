@@ -61,16 +61,17 @@ class Surface {
   /// How panels become a surface.
   struct Options {
     double weld_tolerance = 1e-9;                       ///< vertices nearer than this times the size of the surface are merged
-    double weld_distance = 0;                           ///< [m] or nearer than this, if larger: closes gaps left by rounding between parts
+    double weld_distance = 0;                           ///< [m] at least 0: or nearer than this, if larger; closes gaps left by rounding between parts
     Orientation orientation = Orientation::undeclared;  ///< outer side of an open surface
     std::string name = "surface";                       ///< its name in messages
   };
 
   /// Welds vertices, splits quads (along the shorter diagonal), drops degenerate and duplicate triangles, orients each component
   /// consistently and outward (inner walls of hollow bodies face the cavity), separates parts that meet in a vertex, and classifies the
-  /// surface. Throws InputError if there are no panels, coordinates are not finite, or vertex or part numbers are out of range. Throws
+  /// surface. Throws InputError if there are no panels, coordinates or the weld distance are not finite, or vertex or part numbers are out of range. Throws
   /// SurfaceError (defects.hpp), which lists panels, if a component is not orientable or a closed one has no volume. It does so too if the
-  /// orientation is undeclared and the surface is open, or has non-manifold edges that must be cut.
+  /// orientation is undeclared and the surface is open, or has non-manifold edges that must be cut. Throws InputError if the surface is closed and the
+  /// orientation reversed.
   Surface(const Panels& panels, const Options& options);
   /// With default options.
   explicit Surface(const Panels& panels) : Surface(panels, Options{}) {}
@@ -94,6 +95,12 @@ class Surface {
   /// Unit normal of the feature: of the face; the mean of both faces on an edge; the angle-weighted mean on a vertex. The sign of
   /// (point - closest point)·pseudonormal gives the side of a point (Bærentzen and Aanæs, IEEE TVCG 11 (2005) 243).
   Vec3d pseudonormal(std::size_t triangle, Feature feature) const;
+
+  /// True if this vertex of the panels became that vertex of the surface, by itself or merged with others. Where fans were separated (fans.hpp) it may
+  /// have become several.
+  bool became(int panel_vertex, int vertex) const {
+    return welded_to_[static_cast<std::size_t>(panel_vertex)] == welded_from_[static_cast<std::size_t>(vertex)];
+  }
 
   /// Number of solids bounded by the surface: outer components with their cavities. They may overlap, as blades and their hub do.
   std::size_t solids() const { return report_.solids; }
@@ -125,7 +132,8 @@ class Surface {
   Pseudonormals normals_;       // empty once displaced
   IncidentTriangles incident_;  // empty until displaced
   std::vector<bool> boundary_vertices_;
-  std::vector<int> solid_of_;  // of each triangle
+  std::vector<int> welded_to_, welded_from_;  // numbers after welding: of each vertex of the panels, and of each vertex of the surface
+  std::vector<int> solid_of_;                 // of each triangle
   SurfaceReport report_;
 };
 

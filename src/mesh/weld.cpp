@@ -4,6 +4,7 @@
 #include <cmath>
 #include <cstdint>
 #include <span>
+#include <utility>
 
 namespace fccda {
 namespace {
@@ -107,6 +108,7 @@ Welded weld(const Panels& panels, double tolerance) {
   for (auto& panel : out.panels.panels) {
     for (int& vertex : panel) vertex = vertex >= 0 ? new_number[static_cast<std::size_t>(vertex)] : vertex;
   }
+  out.new_number = std::move(new_number);
   return out;
 }
 

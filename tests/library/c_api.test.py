@@ -165,7 +165,7 @@ def fortran_views(scene):
     text = """program views
   use fccda
   implicit none
-  real(c_double), target :: x(3, 6), mass(6)
+  real(c_double), target :: x(3, 6), mass(6), transposed(6, 3)
   real(c_float), target :: single(3, 4)
   real(c_double), target :: corners(3, 4) = reshape([0d0, 0d0, 0d0, 1d0, 0d0, 0d0, 0d0, 1d0, 0d0, 0d0, 0d0, 1d0], [3, 4])
   integer(c_int32_t) :: faces(3, 4) = reshape([1, 3, 2, 1, 2, 4, 2, 3, 4, 3, 1, 4], [3, 4])
@@ -187,6 +187,12 @@ def fortran_views(scene):
   print *, numbers%count, numbers%stride, c_associated(numbers%first, at(1))
   view = fccda_xyz(x(:, 1:0))
   print *, view%count, c_associated(view%x)
+  view = fccda_three(x(1, :), x(2, :), x(3, :))
+  at = [c_loc(x(1, 1)), c_loc(x(3, 1))]
+  print *, view%count, view%stride, view%type, c_associated(view%x, at(1)), c_associated(view%z, at(2))
+  view = fccda_three(single(1, 1:2), single(2, 1:2), single(3, 3:4))
+  at(1) = c_loc(single(3, 3))
+  print *, view%count, view%stride, view%type, c_associated(view%z, at(1))
 
   if (fccda_surface_create(fccda_xyz(corners), faces - 1, 4_c_size_t, 3, surface=surface) /= FCCDA_OK) error stop fccda_message()
   print *, fccda_text(fccda_surface_report(surface))
@@ -201,14 +207,34 @@ def fortran_views(scene):
   call c_f_pointer(list, contacts, [count])
   print *, contacts%point + 1
   print '(*(f8.3))', contacts(2)%hit, contacts(2)%normal
+  ! other shapes: what is no view is refused
+  points = fccda_points(x_t0=fccda_xyz(transposed), x_t1=fccda_xyz(transposed))
+  if (fccda_detect(detector, rest, points) == FCCDA_INPUT_ERROR) print '(a)', fccda_message()
+  points = fccda_points(x_t0=fccda_three(mass, mass(1:5), mass), x_t1=fccda_three(mass, mass, mass))
+  if (fccda_detect(detector, rest, points) == FCCDA_INPUT_ERROR) print '(a)', fccda_message()
+  points = fccda_points(x_t0=fccda_three(mass, mass, mass(6:1:-1)), x_t1=fccda_three(mass, mass, mass))
+  if (fccda_detect(detector, rest, points) == FCCDA_INPUT_ERROR) print '(a)', fccda_message()
   if (fccda_detector_moved(detector, -1_c_int64_t) == FCCDA_INPUT_ERROR) print '(a)', fccda_message()
 end program
 """
     lines = build(scene, places(scene)["folder"] / "fccda", FORTRAN, "views.f90", text).splitlines()
     scene.assertEqual([line.split() for line in lines[:4]], [["3", "48", "1", "T", "T"], ["4", "12", "2", "T"], ["6", "-8", "T"], ["0", "F"]])
-    scene.assertEqual(lines[4].strip(), "4 panels, 4 triangles, 4 vertices, 1 components, closed")
-    scene.assertEqual([[float(word) for word in line.split()] for line in lines[-3:-1]], [[1, 3], [0, 0.2, 0.2, -1, 0, 0]])
+    scene.assertEqual([line.split() for line in lines[4:6]], [["6", "24", "1", "T", "T"], ["2", "12", "2", "T"]])
+    scene.assertEqual(lines[6].strip(), "4 panels, 4 triangles, 4 vertices, 1 components, closed")
+    scene.assertEqual([[float(word) for word in line.split()] for line in lines[-6:-4]], [[1, 3], [0, 0.2, 0.2, -1, 0, 0]])
+    scene.assertEqual(lines[-4:-1], 3 * ["fccda: the array `x_t0` has the type 0, but it must be FCCDA_DOUBLE or FCCDA_FLOAT."])
     scene.assertEqual(lines[-1], "fccda: the number of a point is -1, but they are counted from 0.")
+
+
+@claim("views in Fortran of an array without the attribute target, and of an expression, do not compile")
+def fortran_targets(scene):
+    expect_program("gfortran")
+    module = pkg_config(places(scene)["folder"] / "fccda", "--variable=fortran_module")
+    for argument in ("fccda_xyz(x)", "fccda_xyz(2 * y)", "fccda_three(x(1, :), x(2, :), x(3, :))", "fccda_xyz(y)"):
+        text = f"program views\n  use fccda\n  implicit none\n  real(c_double) :: x(3, 2)\n  real(c_double), target :: y(3, 2)\n  type(fccda_vectors) :: view\n  x = 1; y = x\n  view = {argument}\n  print *, view%count\nend program\n"
+        (scene.folder / "views.f90").write_text(text)
+        compiled = subprocess.run(["gfortran", "-fsyntax-only", f"-J{scene.folder}", *module, scene.folder / "views.f90"], capture_output=True, text=True)
+        scene.assertEqual(compiled.returncode == 0, argument == "fccda_xyz(y)", argument)
 
 
 def shared(scene):

@@ -3,9 +3,11 @@
 #include <doctest/doctest.h>
 
 #include <cmath>
+#include <limits>
 #include <numbers>
 #include <random>
 
+#include "base/error.hpp"
 #include "fccda/rigid_body/solid.hpp"
 #include "fixtures/larger.hpp"
 #include "fixtures/surfaces.hpp"
@@ -222,4 +224,27 @@ TEST_CASE("still water: constrained degrees do not respond, and their reactions 
   const double ahead = work - (before - hydrostatics(held, box, sea).potential);
   CHECK(ahead == fixtures::relative(sea.density * sea.gravity * 8 * 0.5 * 0.5 * dt * 0.5, 1e-6));
   CHECK(impulse == fixtures::relative(work / 0.5, 1e-12));
+}
+
+TEST_CASE("still water: numbers that are not finite or negative, and open surfaces, are refused in a sentence, and the body is left as it was") {
+  const double nan = std::numeric_limits<double>::quiet_NaN(), infinity = std::numeric_limits<double>::infinity();
+  const Surface box(make_box({.size = {1, 1, 1}}));
+  Panels tray = make_box({.size = {1, 1, 1}});
+  tray.panels.erase(tray.panels.begin());
+  const Surface open(tray, {.orientation = Orientation::normals});
+  RigidBody body({.mass = 100, .inertia = Mat3::identity()}, Pose({0, 0, -0.2}), {}, {}, {{true, true, true, true, true, true}});
+  const auto refusals = [&](const StillWater& water, const Surface& surface, const std::string& sentence) {
+    CHECK_THROWS_WITH_AS(hydrostatics(body, surface, water), sentence.c_str(), InputError);
+    CHECK_THROWS_WITH_AS(apply(water, surface, body, {0, 0.1, 0.1}), sentence.c_str(), InputError);
+    CHECK_THROWS_WITH_AS(level_at_rest(body, surface, water), sentence.c_str(), InputError);
+    CHECK(body.velocity() == Vec3d{});
+  };
+  refusals({.level = nan}, box, "still water: the level is nan, but it must be finite.");
+  refusals({.density = -1000}, box, "still water: the density is -1000, but it must be a finite number of at least 0.");
+  refusals({.density = infinity}, box, "still water: the density is inf, but it must be a finite number of at least 0.");
+  refusals({.gravity = -9.81}, box, "still water: the gravity is -9.81, but it must be a finite number of at least 0.");
+  refusals({.gravity = nan}, box, "still water: the gravity is nan, but it must be a finite number of at least 0.");
+  refusals({.damping = -5}, box, "still water: the damping is -5, but it must be a finite number of at least 0.");
+  refusals({.damping = nan}, box, "still water: the damping is nan, but it must be a finite number of at least 0.");
+  refusals({}, open, "still water: the surface of the body is open, so it displaces no volume; close its holes.");
 }

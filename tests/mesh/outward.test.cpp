@@ -2,6 +2,7 @@
 
 #include <random>
 
+#include "base/error.hpp"
 #include "fixtures/surfaces.hpp"
 #include "fixtures/tolerance.hpp"
 #include "mesh/shapes/box.hpp"
@@ -120,4 +121,14 @@ TEST_CASE("outward: rays through vertices and along edges of the outer wall do n
   const Panels outer = make_box({.size = {3, 3, 3}, .edge_length = 0.125}), inner = make_box({.size = {1.5, 1.5, 1.5}, .edge_length = 0.375});
   CHECK(Surface(fixtures::joined(outer, inner)).report().cavities == 1);
   CHECK(Surface(fixtures::joined(outer, scaled(inner, 1, {3, 0, 0}))).report().cavities == 0);
+}
+
+TEST_CASE("orientation: a closed surface that is declared as reversed is refused with the ways to build a container, and one of its normals is accepted") {
+  for (const Panels& panels : {fixtures::unit_cube(), make_sphere({.diameter = 1, .edge_length = 0.3})}) {
+    CHECK_THROWS_WITH_AS(Surface(panels, {.orientation = Orientation::reversed, .name = "tank"}),
+                         "tank: the surface is closed, so its outside is known, and cannot be declared as reversed; omit the orientation, or for a container "
+                         "leave one side open, such as its lid, or give its walls a thickness by a second surface inside.",
+                         InputError);
+    CHECK(Surface(panels, {.orientation = Orientation::normals}).is_closed());
+  }
 }

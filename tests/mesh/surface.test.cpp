@@ -4,6 +4,7 @@
 
 #include <limits>
 #include <random>
+#include <sstream>
 
 #include "base/error.hpp"
 #include "base/parallel.hpp"
@@ -188,4 +189,13 @@ TEST_CASE("surface: construction is bitwise reproducible for any number of threa
   const Surface together = named(panels);
   CHECK(alone.report().volume == together.report().volume);
   CHECK(std::equal(alone.vertices().begin(), alone.vertices().end(), together.vertices().begin()));
+}
+
+TEST_CASE("surface: weld distances and tolerances that are negative or not finite are refused in a sentence") {
+  for (const double wrong : {-1.0, std::numeric_limits<double>::quiet_NaN(), std::numeric_limits<double>::infinity()}) {
+    std::ostringstream sentence;
+    sentence << " is " << wrong << ", but it must be a finite number of at least 0; 0 merges coincident vertices only.";
+    CHECK_THROWS_WITH_AS(Surface(fixtures::unit_cube(), {.weld_distance = wrong}), ("surface: the weld distance" + sentence.str()).c_str(), InputError);
+    CHECK_THROWS_WITH_AS(Surface(fixtures::unit_cube(), {.weld_tolerance = wrong}), ("surface: the weld tolerance" + sentence.str()).c_str(), InputError);
+  }
 }

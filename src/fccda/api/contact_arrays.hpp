@@ -43,7 +43,10 @@ struct ContactArrays {
 void expect_ordered(const ContactDetector::State& state);  ///< throws InputError
 void expect_finite_positions(ConstVectors x);              ///< throws RunError
 void expect_equally_long(const PointArrays& points);       ///< throws InputError
-/// Throws InputError if a contact's point is none, or has no usable mass, velocity or position.
+/// Throws InputError if a contact is not of a later point than the contact before. The two would be resolved as if each were the only one of its point:
+/// the velocity of the point would change once, but its momentum be given twice.
+void expect_later(std::size_t point, std::size_t point_before);
+/// Throws InputError if a contact's point is none, or has no usable mass, and RunError if it has no usable velocity or position.
 void expect_usable_point(const PointArrays& points, std::size_t point);
 
 }  // namespace fccda

@@ -29,15 +29,21 @@ void expect_finite_positions(ConstVectors x) {
 }
 
 ContactDetector::ContactDetector(SharedSurface surface, const Options& options)
-    : swept_(std::move(surface), options.region, checked_radius(options.radius)),
+    : swept_(std::move(surface), options.contact_bounds, checked_radius(options.radius)),
       centre_(swept_.surface().report().bounds.centre()),
       reach_(swept_.surface().radius_about(centre_)),
       longest_path_(longest_path * size_of(swept_.surface())) {}
 
+// The offset that the rounding of coordinates in single precision needs in this step; 0 in double precision.
+double ContactDetector::offset_of(ConstVectors x, const Motion& motion) {
+  swept_.set_rounding(rounding_of(x));
+  return x.is_single() ? swept_.offset(motion) : 0;
+}
+
 // A point with a larger radius is evaluated again. If it now starts inside, it counts as pushed there.
-double ContactDetector::note_radii(const Numbers& radius, std::size_t points) {
+double ContactDetector::note_radii(const Numbers& radius, std::size_t points, double offset) {
   const bool others = !radii_.known();
-  const double largest = radii_.note(radius, points);
+  const double largest = radii_.note(radius, points, offset);
   if (others) swept_.forget();
   for (const std::size_t i : radii_.grown()) swept_.grown(i);
   return largest;
@@ -61,21 +67,30 @@ void ContactDetector::resume(const State& state) {
   expect_ordered(state);
   swept_.visit_state(StateWriter{state});
   swept_.forget();
+  radii_.forget();
+}
+
+void ContactDetector::points_changed() {
+  swept_.renumbered();
+  radii_.forget();
 }
 
 std::vector<Contact> ContactDetector::detect(const Motion& motion, ConstVectors x_t0, ConstVectors x_t1) {
   expect_usable(motion);
   measure_paths(x_t0, x_t1, longest_path_, travel_);
-  if (radii_.known()) swept_.forget(), radii_.clear();  // the points had other radii in the previous step
-  swept_.set_rounding(rounding_of(x_t1));
+  expect_small_offset(offset_of(x_t1, motion), swept_.radius(), size_of(swept_.surface()));
+  if (radii_.known()) swept_.forget();  // the points had other radii in the previous step
+  radii_.note_common(swept_.radius(), x_t1.size());
+  for (const std::size_t i : radii_.grown()) swept_.grown(i);
   return contacts_of(ArrayPoints(x_t0, x_t1, travel_), motion);
 }
 
 std::vector<Contact> ContactDetector::detect(const Motion& motion, ConstVectors x_t0, ConstVectors x_t1, const Numbers& radius) {
   expect_usable(motion);
   measure_paths(x_t0, x_t1, longest_path_, travel_);
-  const double largest = note_radii(radius, x_t1.size());
-  swept_.set_rounding(rounding_of(x_t1));
+  const double offset = offset_of(x_t1, motion);
+  expect_small_offset(offset, 0, size_of(swept_.surface()));
+  const double largest = note_radii(radius, x_t1.size(), offset);
   return contacts_of(ArrayBalls(ArrayPoints(x_t0, x_t1, travel_), radius, largest), motion);
 }
 

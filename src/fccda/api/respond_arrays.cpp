@@ -23,8 +23,19 @@ void expect_usable_point(const PointArrays& points, std::size_t point) {
   const double mass = points.mass[point];
   if (!(mass >= 0 && std::isfinite(mass)))
     throw InputError("contact: the mass of point " + std::to_string(point) + " is " + in_words(mass) + " kg, but it must be a finite number of at least 0.");
-  expect_finite(points.velocity[point], "contact: the velocity of point " + std::to_string(point));
-  expect_finite(points.x_t0[point], "contact: the position at t0 of point " + std::to_string(point));
+  const auto expect_sound = [&](const Vec3d& vector, const std::string& what) {
+    if (is_finite(vector)) return;
+    throw RunError("contact: the " + what + " of point " + std::to_string(point) + " is " + in_words(vector) +
+                   ", which is not finite; the solver has become unstable, use a shorter step.");
+  };
+  expect_sound(points.velocity[point], "velocity");
+  expect_sound(points.x_t0[point], "position at t0");
+}
+
+void expect_later(std::size_t point, std::size_t point_before) {
+  if (point > point_before) return;
+  throw InputError("contact: a contact of point " + std::to_string(point) + " follows one of point " + std::to_string(point_before) +
+                   ", but each point may have one contact only, in ascending order; respond to the contacts of each detector by themselves.");
 }
 
 namespace {
@@ -34,7 +45,10 @@ void expect_usable(std::span<const Contact> contacts, const Motion& motion, cons
   if (!(motion.dt > 0)) throw InputError("contact: the step of the motion has no duration, but velocities need one; set Motion::dt.");
   expect_usable(motion);
   expect_friction(friction);
-  for (const Contact& contact : contacts) expect_usable_point(points, contact.point);
+  for (std::size_t c = 0; c < contacts.size(); ++c) {
+    expect_usable_point(points, contacts[c].point);
+    if (c > 0) expect_later(contacts[c].point, contacts[c - 1].point);
+  }
 }
 
 }  // namespace

@@ -6,6 +6,7 @@
 #include <type_traits>
 
 #include "base/error.hpp"
+#include "fccda/c/guarded.hpp"
 
 namespace fccda::c_interface {
 
@@ -64,6 +65,7 @@ Numbers typed_numbers(const fccda_numbers& view, const char* name) {
 }  // namespace
 
 Vectors vectors_of(const fccda_vectors& view, const char* name) {
+  expect_reserved(view.reserved, name);
   switch (view.type) {
     case FCCDA_DOUBLE:
       return typed_vectors<double>(view, name);
@@ -75,6 +77,7 @@ Vectors vectors_of(const fccda_vectors& view, const char* name) {
 }
 
 Numbers numbers_of(const fccda_numbers& view, const char* name) {
+  expect_reserved(view.reserved, name);
   switch (view.type) {
     case FCCDA_DOUBLE:
       return typed_numbers<double>(view, name);
@@ -139,7 +142,7 @@ fccda_deforming_contact as_c(const DeformingContact& contact) {
 fccda_contact_sum as_c(const ContactSum& sum) {
   fccda_contact_sum out{};
   write(sum.impulse, out.impulse);
-  write(sum.angular_impulse_about_com, out.angular_impulse);
+  write(sum.angular_impulse, out.angular_impulse);
   out.contacts = static_cast<std::int64_t>(sum.contacts);
   return out;
 }

@@ -7,6 +7,17 @@
 using namespace fccda;
 using namespace fccda::c_interface;
 
+namespace {
+
+std::vector<Vec3d> positions_of(const fccda_vectors* vertices) {
+  const ConstVectors view = const_vectors_of(given(vertices, "vertices"), "vertices");
+  std::vector<Vec3d> positions(view.size());
+  for (std::size_t v = 0; v < view.size(); ++v) positions[v] = view[v];
+  return positions;
+}
+
+}  // namespace
+
 fccda_status fccda_deforming_surface_create(const fccda_surface* surface, fccda_deforming_surface** deforming) {
   return guarded([&] {
     fccda_deforming_surface*& out = given(deforming, "deforming");
@@ -18,10 +29,14 @@ fccda_status fccda_deforming_surface_create(const fccda_surface* surface, fccda_
 fccda_status fccda_deforming_surface_move(fccda_deforming_surface* surface, const fccda_vectors* vertices) {
   return guarded([&] {
     DeformingSurface& moved = *given(surface, "surface").surface;
-    const ConstVectors view = const_vectors_of(given(vertices, "vertices"), "vertices");
-    std::vector<Vec3d> positions(view.size());
-    for (std::size_t v = 0; v < view.size(); ++v) positions[v] = view[v];
-    moved.move(positions);
+    moved.move(positions_of(vertices));
+  });
+}
+
+fccda_status fccda_deforming_surface_place(fccda_deforming_surface* surface, const fccda_vectors* vertices) {
+  return guarded([&] {
+    DeformingSurface& placed = *given(surface, "surface").surface;
+    placed.place(positions_of(vertices));
   });
 }
 

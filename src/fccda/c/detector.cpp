@@ -30,7 +30,7 @@ fccda_status create_within(const MakeBounds& bounds, const fccda_surface* surfac
     out = nullptr;
     const SharedSurface& shared = given(surface, "surface").shared;
     FittedBounds within = bounds(shared->surface());
-    out = new fccda_detector(std::move(within.choice), shared, ContactDetector::Options{.radius = radius, .region = std::move(within.region)});
+    out = new fccda_detector(std::move(within.choice), shared, ContactDetector::Options{.radius = radius, .contact_bounds = std::move(within.region)});
   });
 }
 
@@ -58,7 +58,6 @@ fccda_status fccda_detector_create(const fccda_surface* surface, double radius, 
 fccda_status fccda_detector_create_in_boxes(const fccda_surface* surface, double radius, const fccda_box* boxes, size_t box_count, int32_t beyond,
                                             fccda_detector** detector) {
   const auto bounds = [&](const Surface& within) {
-    if (box_count == 0) throw InputError("contact bounds: no boxes are given; give one at least.");
     std::vector<BoxUnion::Shape> shapes;
     for (std::size_t b = 0; b < box_count; ++b) {
       const fccda_box& box = (&given(boxes, "boxes"))[b];
@@ -73,6 +72,7 @@ fccda_status fccda_detector_create_in_sectors(const fccda_surface* surface, doub
                                               fccda_detector** detector) {
   const auto bounds = [&](const Surface& within) {
     const fccda_sectors& from = given(sectors, "sectors");
+    expect_reserved(from.reserved, "sectors");
     const CylinderSectors::Shape shape{.axis = vector_of(from.axis),
                                        .point = vector_of(from.point),
                                        .radius = from.radius,

@@ -29,6 +29,13 @@ T& given(T* pointer, const char* name) {
   return *pointer;
 }
 
+/// Throws InputError if a member `reserved` is not 0: a later version of the interface may give it a meaning. `of`: argument or structure.
+inline void expect_reserved(std::int32_t reserved, const char* of) {
+  if (reserved != 0)
+    throw InputError(std::string("fccda: the member `reserved` of `") + of + "` is " + std::to_string(reserved) +
+                     ", but it must be 0; set the structure to zero before its members.");
+}
+
 /// Writes to where a result is wanted.
 template <class T>
 void write_if_wanted(T* place, const T& value) {

@@ -21,6 +21,7 @@ namespace {
 Surface::Options options_of(const fccda_surface_options* given) {
   Surface::Options options;
   if (given == nullptr) return options;
+  expect_reserved(given->reserved, "options");
   if (given->orientation < FCCDA_UNDECLARED || given->orientation > FCCDA_REVERSED)
     throw InputError("surface: the orientation is " + std::to_string(given->orientation) +
                      ", but it must be FCCDA_UNDECLARED, FCCDA_NORMALS or FCCDA_REVERSED.");
@@ -107,6 +108,7 @@ HullShape shape_of(const fccda_hull& hull) {
 }
 
 PropellerShape shape_of(const fccda_propeller& propeller) {
+  expect_reserved(propeller.reserved, "propeller");
   const PropellerShape defaults;
   return {.blades = propeller.blades,
           .diameter = propeller.diameter,

@@ -7,6 +7,7 @@
 
 #include "base/contract.hpp"
 #include "base/error.hpp"
+#include "base/finite.hpp"
 #include "fccda/contact_bounds/boxes.hpp"
 #include "mesh/polygon.hpp"
 
@@ -40,10 +41,23 @@ std::string name_of(std::size_t box, std::size_t count) {
   return text.str();
 }
 
+/// Comparisons with NaN are false, so that a box of it would contain nothing, without a message.
+void expect_usable(std::span<const BoxUnion::Shape> shapes) {
+  if (shapes.empty()) throw InputError("contact bounds: no boxes are given; give one at least.");
+  for (std::size_t b = 0; b < shapes.size(); ++b) {
+    const auto& [size, centre] = shapes[b];
+    const std::string box = name_of(b, shapes.size());
+    if (!(size.x > 0 && size.y > 0 && size.z > 0) || !is_finite(size))
+      throw InputError("contact bounds: the size of " + box + " is " + in_words(size) +
+                       " m, but its three edge lengths must be finite and positive; correct it.");
+    expect_finite(centre, "contact bounds: the centre of " + box);
+  }
+}
+
 }  // namespace
 
 BoxUnion::BoxUnion(std::span<const Shape> shapes, const Surface& surface, Beyond beyond) {
-  EXPECTS(!shapes.empty());
+  expect_usable(shapes);
   for (const Shape& shape : shapes) boxes_.push_back(widened({shape.centre - 0.5 * shape.size, shape.centre + 0.5 * shape.size}, widening(surface)));
   bounds_ = bounds_of(boxes_);
 

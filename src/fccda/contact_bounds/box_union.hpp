@@ -25,7 +25,8 @@ class BoxUnion {
   };
 
   /// Boxes as specified; they may overlap. A panel partly in one box and partly in its neighbour is inside (exact up to the widening). Throws
-  /// InputError if the surface extends beyond them and `beyond` is error, or if no panel reaches into one of the boxes.
+  /// InputError if there are none, a number is not finite, an edge length is not positive, the surface extends beyond them and `beyond` is error, or
+  /// no panel reaches into one of the boxes.
   BoxUnion(std::span<const Shape> shapes, const Surface& surface, Beyond beyond);
   /// The same for a single box.
   BoxUnion(const Shape& shape, const Surface& surface, Beyond beyond) : BoxUnion(std::span(&shape, 1), surface, beyond) {}

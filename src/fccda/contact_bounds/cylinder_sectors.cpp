@@ -7,8 +7,8 @@
 #include <numbers>
 #include <utility>
 
-#include "base/contract.hpp"
 #include "base/error.hpp"
+#include "base/finite.hpp"
 
 namespace fccda {
 
@@ -42,6 +42,28 @@ Halves halves(const std::array<Vec3d, 3>& corners) {
   return {{a, middle, c}, {middle, b, c}, longest};
 }
 
+constexpr int most_blades = 1000;
+
+/// With other numbers the halving of triangles would not end, and queries would reject everything without a message.
+void expect_usable(const CylinderSectors::Shape& shape) {
+  const auto refuse = [](const std::string& what, const std::string& found, const std::string& must) {
+    throw InputError("contact bounds: " + what + " of the cylinder's sectors is " + found + ", but it must " + must + "; correct it.");
+  };
+  const auto expect = [&](bool holds, const std::string& what, double found, const std::string& unit, const std::string& must) {
+    if (!holds || !std::isfinite(found)) refuse(what, in_words(found) + unit, must);
+  };
+  const double length_of_axis = norm(shape.axis);
+  if (!(length_of_axis > 0) || !std::isfinite(length_of_axis)) refuse("the axis", in_words(shape.axis), "have a direction and a finite length");
+  if (!is_finite(shape.point)) refuse("the centre", in_words(shape.point) + " m", "be finite");
+  expect(shape.radius > 0, "the radius", shape.radius, " m", "be finite and positive");
+  expect(shape.length >= 0, "the length", shape.length, " m", "be finite and not negative");
+  expect(shape.hub_radius >= 0, "the radius of the hub", shape.hub_radius, " m", "be finite and not negative");
+  if (shape.blades < 1 || shape.blades > most_blades) refuse("the number", std::to_string(shape.blades), "be from 1 to " + std::to_string(most_blades));
+  // A fitted angle may exceed a turn by rounding.
+  expect(shape.sector_angle >= 0 && shape.sector_angle <= turn * (1 + 1e-9), "the angle", shape.sector_angle, " rad", "be from 0 to 2 pi");
+  expect(true, "the begin", shape.start_angle, " rad", "be finite");
+}
+
 }  // namespace
 
 bool CylinderSectors::Shape::has_gaps() const {
@@ -56,7 +78,7 @@ double CylinderSectors::volume_of(const Shape& shape) {
 }
 
 CylinderSectors::CylinderSectors(const Shape& shape, const Surface& surface, Beyond beyond) : shape_(shape), frame_(shape.point, shape.axis) {
-  EXPECTS(norm(shape.axis) > 0 && shape.radius > 0 && shape.length >= 0 && shape.blades > 0);
+  expect_usable(shape);
   widening_ = widening(surface);
   radius_ = shape.radius + widening_;
   half_length_ = 0.5 * shape.length + widening_;

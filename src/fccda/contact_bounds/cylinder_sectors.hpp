@@ -31,17 +31,18 @@ class CylinderSectors {
   struct Shape {
     Vec3d axis{0, 0, 1};      ///< direction of the cylinder; need not be a unit vector
     Vec3d point{};            ///< [m] centre of the cylinder
-    double radius = 0;        ///< [m]
-    double length = 0;        ///< [m]
-    double hub_radius = 0;    ///< [m] occupied at all angles
-    int blades = 1;           ///< sectors at equal angles
-    double sector_angle = 0;  ///< [rad] of each
+    double radius = 0;        ///< [m] positive
+    double length = 0;        ///< [m] at least 0
+    double hub_radius = 0;    ///< [m] occupied at all angles; at least 0
+    int blades = 1;           ///< sectors at equal angles, 1 to 1000
+    double sector_angle = 0;  ///< [rad] of each, from 0 to 2π
     double start_angle = 0;   ///< [rad] begin of the first; see CylinderFrame
 
     bool has_gaps() const;  ///< the sectors leave part of the circle free
   };
 
-  /// Throws InputError if the surface extends beyond the bounds and `beyond` is error, or if no panel reaches into them.
+  /// Throws InputError if a number of the shape is not finite or out of its range, the surface extends beyond the bounds and `beyond` is error, or
+  /// no panel reaches into them.
   CylinderSectors(const Shape& shape, const Surface& surface, Beyond beyond);
 
   bool clips() const { return clips_; }                     ///< part of the surface lies outside, where contact is ignored

@@ -34,20 +34,20 @@ void Deforming::begin_step() {
     guess_.assign(blocks_.back(), -1);
   }
   sides_.begin(blocks_.back());
-  set_offset();
+  offset_ = offset();
 }
 
 // Points in contact have no clearance, so all of them are evaluated again; those that entered or left may have some.
 void Deforming::begin_again() {
   for (const std::uint64_t point : sides_.changed()) cache_.forget(point);
   sides_.begin_again();
-  set_offset();
+  offset_ = offset();
 }
 
-void Deforming::set_offset() {
+double Deforming::offset() const {
   // As Swept: rounding a relocated position moves it by at most sqrt(3) roundings of a coordinate; twice that keeps it outside.
   const double largest = std::max(largest_coordinate(surface_->at_t0()), largest_coordinate(surface_->at_t1()));
-  offset_ = std::max({1e-12 * surface_->size(), 32 * std::numeric_limits<double>::epsilon() * largest, 4 * rounding_ * largest});
+  return std::max({1e-12 * surface_->size(), 32 * std::numeric_limits<double>::epsilon() * largest, 4 * rounding_ * largest});
 }
 
 void Deforming::grown(std::size_t i) {
@@ -99,6 +99,7 @@ void Deforming::evaluate(const MovingPathTest& test, std::size_t block, std::siz
                                         .relocation = contact.relocation,
                                         .depth = norm(contact.relocation - path.end),
                                         .radius = radius,
+                                        .offset = rounding_ > 0 ? offset_ : 0,
                                         .normal_t0 = contact.normal_t0,
                                         .sliding = this},
                             .place = {.vertices = surface_->panel_vertices(t),

@@ -18,7 +18,7 @@
 #include <string>
 #include <vector>
 
-#include "base/parallel.hpp"
+#include "base/parallel_throwing.hpp"
 #include "fccda/deforming/deforming_surface.hpp"
 #include "fccda/deforming/moving_path_test.hpp"
 #include "fccda/detect/contact.hpp"
@@ -53,6 +53,9 @@ class Deforming final : public SlidingSurface {
   /// Relative rounding of the stored coordinates of relocated points, as Swept::set_rounding.
   void set_rounding(double of_coordinates) { rounding_ = of_coordinates; }
 
+  /// [m] as Swept::offset, in the step that the surface has begun.
+  double offset() const;
+
   /// Adds the contacts of the step that the surface has begun to `out`, in point order. Throws InputError if the surface was not moved since the
   /// last detection. A point with a path that is not finite is skipped.
   template <Points P>
@@ -64,8 +67,8 @@ class Deforming final : public SlidingSurface {
       if (cache_.travel(b, points.block_travel(b) + surface_->travel())) due_blocks_.push_back(b);
     fetch_points(points, due_blocks_, [&](std::size_t b, std::size_t i) { return cache_.is_due(b, i); });
     if (found_.size() < due_blocks_.size()) found_.resize(due_blocks_.size());
-    parallel_for_uneven(static_cast<std::ptrdiff_t>(due_blocks_.size()),
-                        [&](std::ptrdiff_t k) { evaluate_block(points, test, static_cast<std::size_t>(k), 0); });
+    parallel_for_uneven_throwing(static_cast<std::ptrdiff_t>(due_blocks_.size()),
+                                 [&](std::ptrdiff_t k) { evaluate_block(points, test, static_cast<std::size_t>(k), 0); });
     gather(due_blocks_.size(), out);
     sides_.end();
   }
@@ -85,7 +88,7 @@ class Deforming final : public SlidingSurface {
     }
     fetch_points(points, due_blocks_, [&](std::size_t b, std::size_t i) { return cache_.is_due(b, i, way(b)); });
     if (found_.size() < due_blocks_.size()) found_.resize(due_blocks_.size());
-    parallel_for_uneven(static_cast<std::ptrdiff_t>(due_blocks_.size()), [&](std::ptrdiff_t k) {
+    parallel_for_uneven_throwing(static_cast<std::ptrdiff_t>(due_blocks_.size()), [&](std::ptrdiff_t k) {
       const auto share = static_cast<std::size_t>(k);
       evaluate_block(points, test, share, way(due_blocks_[share]));
     });
@@ -191,7 +194,6 @@ class Deforming final : public SlidingSurface {
   bool is_inside(const Vec3d& point, double radius) const;
   void begin_step();
   void begin_again();
-  void set_offset();
   void evaluate(const MovingPathTest& test, std::size_t block, std::size_t point, double radius, const Path& path, double look_ahead, Found& found);
   void gather(std::size_t shares, std::vector<DeformingContact>& out);
 

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <numeric>
 #include <string>
 #include <utility>
 
@@ -49,22 +50,34 @@ DeformingSurface::DeformingSurface(const Surface& surface) {
   find_sources();
 }
 
-// A corner of a triangle is the nearest corner of its panel: welding has moved it by no more than its tolerance.
+// A corner of a triangle is the corner of its panel that became it by welding, the nearest of several. Where a sliver gave the triangle its corner
+// (slivers.hpp), the panel has none that did; the corner is then that of another triangle, or of the sliver itself.
 void DeformingSurface::find_sources() {
   const Surface& surface = at_t1();
   const Panels& panels = surface.panels();
   source_.assign(surface.vertices().size(), -1);
+  const auto find_in = [&](std::span<const int> corners, int vertex) {
+    const Vec3d& place = surface.vertices()[number(vertex)];
+    const auto apart = [&](int corner) {
+      return corner >= 0 && surface.became(corner, vertex) ? norm(panels.vertices[number(corner)] - place) : std::numeric_limits<double>::infinity();
+    };
+    const int own = *std::min_element(corners.begin(), corners.end(), [&](int a, int b) { return apart(a) < apart(b); });
+    return std::isfinite(apart(own)) ? own : -1;
+  };
   for (std::size_t t = 0; t < surface.triangles().size(); ++t) {
     const Triangle& triangle = surface.triangles()[t];
     for (const int vertex : triangle.vertex) {
-      const Vec3d& place = surface.vertices()[number(vertex)];
-      const auto apart = [&](int corner) { return corner < 0 ? std::numeric_limits<double>::infinity() : norm(panels.vertices[number(corner)] - place); };
-      const auto& corners = panels.panels[number(triangle.panel)];
-      const int own = *std::min_element(corners.begin(), corners.end(), [&](int a, int b) { return apart(a) < apart(b); });
+      const int own = find_in(panels.panels[number(triangle.panel)], vertex);
       int& source = source_[number(vertex)];
-      if (source < 0) source = own;
-      if (source != own) merged_.push_back({own, source, norm(panels.vertices[number(own)] - panels.vertices[number(source)])});
+      if (own >= 0 && source < 0) source = own;
+      if (own >= 0 && source != own) merged_.push_back({own, source, norm(panels.vertices[number(own)] - panels.vertices[number(source)])});
     }
+  }
+  if (std::ranges::find(source_, -1) != source_.end()) {  // of slivers only
+    std::vector<int> all(panels.vertices.size());
+    std::iota(all.begin(), all.end(), 0);
+    for (std::size_t v = 0; v < source_.size(); ++v)
+      if (source_[v] < 0) source_[v] = find_in(all, static_cast<int>(v));
   }
   const auto pair = [](const Merged& one) { return std::pair(one.vertex, one.with); };
   std::sort(merged_.begin(), merged_.end(), [&](const Merged& a, const Merged& b) { return pair(a) < pair(b); });
@@ -87,9 +100,9 @@ void DeformingSurface::expect_usable(std::span<const Vec3d> from_vertices, std::
     const double squared = squared_norm(to - from);
     if (squared <= longest_path * longest_path * size_ * size_) continue;
     const std::string sentence = "deforming surface: vertex " + std::to_string(own) + " goes from " + in_words(from) + " to " + in_words(to) + " in one step, ";
-    if (!std::isfinite(squared)) throw InputError(sentence + "which is not finite; the solver has become unstable, use a shorter step.");
-    throw InputError(sentence + "farther than " + in_words(longest_path * size_) +
-                     " m, beyond which rounding hides contact; the solver has become unstable, use a shorter step.");
+    if (!std::isfinite(squared)) throw RunError(sentence + "which is not finite; the solver has become unstable, use a shorter step.");
+    throw RunError(sentence + "farther than " + in_words(longest_path * size_) +
+                   " m, beyond which rounding hides contact; the solver has become unstable, use a shorter step.");
   }
   for (const Merged& pair : merged_) {
     if (norm(vertices[number(pair.vertex)] - vertices[number(pair.with)]) <= pair.distance + together * size_) continue;

@@ -28,8 +28,8 @@ class DeformingSurface {
   explicit DeformingSurface(const Surface& surface);
 
   /// Begins a step: t0 is where the last one ended. `vertices` [m]: at t1, numbered as the vertices of the panels that the surface was made of.
-  /// Throws InputError, and changes nothing, if their number differs, one is not finite, moves farther than `longest_path` sizes of the surface
-  /// in the step, or parts from another with which it was merged at construction, if a panel loses its area, or if a closed surface is turned
+  /// Throws, and changes nothing: RunError if one is not finite, or moves farther than `longest_path` sizes of the surface in the step; InputError if
+  /// their number differs, one parts from another with which it was merged at construction, a panel loses its area, or a closed surface is turned
   /// inside out.
   void move(std::span<const Vec3d> vertices);
 
@@ -51,7 +51,7 @@ class DeformingSurface {
   /// A triangle during the step.
   MovingTriangle triangle(std::size_t t) const { return {corners(at_t0(), t), corners(at_t1(), t)}; }
 
-  /// The vertices of the panels that are the corners of a triangle.
+  /// The vertices of the panels that are the corners of a triangle; of merged ones that of the first panel.
   std::array<int, 3> panel_vertices(std::size_t t) const;
 
   std::uint64_t steps() const { return steps_; }            ///< number of moves and placements so far

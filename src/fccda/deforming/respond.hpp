@@ -10,6 +10,7 @@
 
 #include <array>
 #include <span>
+#include <string>
 #include <vector>
 
 #include "fccda/deforming/deforming.hpp"
@@ -57,7 +58,7 @@ inline PanelImpact panel_impact(const DeformingContact& contact, double mass, co
 
 /// Relocates the points, sets their velocities, and adds the impulses on the surface to `impulses` [N s], one for each vertex of the panels that the
 /// surface was made of. `inverse_mass(v)` [1/kg] of vertex v, 0 for prescribed motion. Returns the sum, with moments about the origin of the world
-/// frame. Calls `report(contact, impulse)` for each contact, in order.
+/// frame. Calls `report(contact, impulse)` for each contact, in order. Throws InputError, and changes nothing, if an impulse is not finite.
 template <PointsInContact P, class InverseMass, class Report>
 ContactSum respond(P& points, std::span<const DeformingContact> contacts, double dt, double friction, const InverseMass& inverse_mass,
                    std::span<Vec3d> impulses, Report&& report) {
@@ -74,17 +75,25 @@ ContactSum respond(P& points, std::span<const DeformingContact> contacts, double
   }
   const std::vector<ImpactShare> shares = impact_shares(impacts);
   ContactSum sum;
+  std::vector<PanelImpulse> all;
   for (std::size_t c = 0; c < contacts.size(); ++c) {
     const DeformingContact& contact = contacts[c];
-    const std::size_t i = contact.contact.point;
-    const Vec3d before = points.velocity(i);
+    const Vec3d before = points.velocity(contact.contact.point);
     const PanelImpact::Part &push = impacts[c].push, &drag = impacts[c].friction;
     after[c].velocity = before + (shares[c].push * push.change) * push.direction + (shares[c].friction * drag.change) * drag.direction;
-    const PanelImpulse impulse = panel_impulse(contact, impacts[c].mass, before, after[c]);
-    points.set(i, after[c].position, after[c].velocity);
-    for (std::size_t k = 0; k < 3; ++k) impulses[static_cast<std::size_t>(contact.place.vertices[k])] += impulse.on_vertices[k];
+    const PanelImpulse& impulse = all.emplace_back(panel_impulse(contact, impacts[c].mass, before, after[c]));
+    for (const Vec3d& on_vertex : impulse.on_vertices)
+      if (!is_finite(on_vertex)) expect_finite(on_vertex, "contact: the impulse of point " + std::to_string(contact.contact.point) + " on a vertex");
     sum += {impulse.on_surface, cross(after[c].position, impulse.on_surface), 1};
-    report(contact, impulse.on_surface);
+  }
+  // before anything changes
+  expect_finite(sum.impulse, "contact: the sum of the impulses on the surface");
+  expect_finite(sum.angular_impulse, "contact: the sum of the angular impulses on the surface");
+  for (std::size_t c = 0; c < contacts.size(); ++c) {
+    const DeformingContact& contact = contacts[c];
+    points.set(contact.contact.point, after[c].position, after[c].velocity);
+    for (std::size_t k = 0; k < 3; ++k) impulses[static_cast<std::size_t>(contact.place.vertices[k])] += all[c].on_vertices[k];
+    report(contact, all[c].on_surface);
   }
   return sum;
 }

@@ -37,6 +37,9 @@ struct Contact {
   Vec3d relocation{};        ///< [m] relocated position at t1, at the contact radius from the surface
   double depth = 0;          ///< [m] distance from the unconstrained position to the relocation
   double radius = 0;         ///< [m] contact radius of the point
+  /// [m] by how much contact is tested nearer than the contact radius and relocated farther, against the rounding of coordinates in single precision;
+  /// 0 in double precision, where it is negligible. The response leaves it out of the velocity (respond.hpp).
+  double offset = 0;
   /// Unit, out of the surface, at the position of the point at t0 with the surface at t0; 0 if the point was not in contact there, or slid into
   /// another part of the surface. An impulse along it does no work on sliding (respond.hpp).
   Vec3d normal_t0{};

@@ -6,7 +6,7 @@
 #include <span>
 #include <vector>
 
-#include "base/parallel.hpp"
+#include "base/parallel_throwing.hpp"
 #include "fccda/detect/points.hpp"
 
 namespace fccda {
@@ -17,7 +17,7 @@ template <Points P, class Found, class Evaluate>
 void evaluate_every_point(const P& points, std::vector<Found>& found, const Evaluate& evaluate) {
   found.resize(points.block_count());
   fetch_every_point(points);
-  parallel_for_uneven(static_cast<std::ptrdiff_t>(points.block_count()), [&](std::ptrdiff_t k) {
+  parallel_for_uneven_throwing(static_cast<std::ptrdiff_t>(points.block_count()), [&](std::ptrdiff_t k) {
     const auto b = static_cast<std::size_t>(k);
     found[b] = {};
     for (std::size_t i = points.block_begin(b); i < points.block_end(b); ++i)
@@ -30,7 +30,7 @@ template <class Found, class Evaluate>
 void evaluate_points(std::span<const std::size_t> which, std::vector<Found>& found, const Evaluate& evaluate) {
   constexpr std::size_t share = 64;
   found.resize((which.size() + share - 1) / share);
-  parallel_for_uneven(static_cast<std::ptrdiff_t>(found.size()), [&](std::ptrdiff_t k) {
+  parallel_for_uneven_throwing(static_cast<std::ptrdiff_t>(found.size()), [&](std::ptrdiff_t k) {
     const auto s = static_cast<std::size_t>(k);
     found[s] = {};
     for (const std::size_t i : which.subspan(s * share, std::min(share, which.size() - s * share))) evaluate(i, found[s]);

@@ -14,8 +14,9 @@ namespace fccda {
 /// Points are in blocks of consecutive numbers, so that a few fast ones do not make all of them due. The position at t0 of a step is the
 /// position at t1 of the previous step; other displacements must be reported to the detector (`moved`).
 /// The pose of the body at t0 is its pose at t1 of the previous step; if it differs at all, the detector notices and evaluates all points
-/// again. A point keeps its number from step to step. Numbers are appended and removed at the end only; any other renumbering must be
-/// reported to the detector (`Swept::renumbered`).
+/// again. A point keeps its number from step to step. Numbers are appended and removed at the end only, and not both between the same two steps; any
+/// other renumbering must be reported to the detector (`Swept::renumbered`). A number that is not occupied is not looked at again: a point that comes to
+/// occupy it must be reported to the detector (`moved`).
 template <class P>
 concept Points = requires(const P& points, std::size_t i) {
   { points.size() } -> std::convertible_to<std::size_t>;

@@ -31,16 +31,20 @@ void Swept::begin_again(double largest_radius, const Motion& motion) {
   measure(largest_radius, motion);
 }
 
+double Swept::offset(const Motion& motion) const {
+  const Vec3d reach = max(max(test_.surface().report().bounds.high, -test_.surface().report().bounds.low), Vec3d{});
+  const double largest = norm(reach) + std::max(largest_magnitude(motion.t0.position()), largest_magnitude(motion.t1.position()));
+  // Rounding a relocated position moves it by at most sqrt(3) roundings of a coordinate; twice that keeps it outside.
+  return std::max({1e-12 * test_.size(), 32 * std::numeric_limits<double>::epsilon() * largest, 4 * rounding_ * largest});
+}
+
 // Bound of how much nearer to the surface the chord of a point's path in the rotating body frame can come, for a travel of m = (point) +
 // (surface) from end to end. The true path comes nearer by at most m. It deviates from its chord by at most (ρ θ² + 2 θ w)/8, a twice
 // integrated acceleration. Here ρ <= R + d is the point's distance from the centre of mass, d that from the surface, and w <= m its path
 // length. m includes R θ²/8 already. So contact is impossible while d > r + m + d θ²/8 + θ m/4, that is while
 //   d - r > κ (1 + θ/4) m + (κ - 1) r,   κ = 1/(1 - θ²/8).
 void Swept::measure(double largest_radius, const Motion& motion) {
-  const Vec3d reach = max(max(test_.surface().report().bounds.high, -test_.surface().report().bounds.low), Vec3d{});
-  const double largest = norm(reach) + std::max(largest_magnitude(motion.t0.position()), largest_magnitude(motion.t1.position()));
-  // Rounding a relocated position moves it by at most sqrt(3) roundings of a coordinate; twice that keeps it outside.
-  step_.offset = std::max({1e-12 * test_.size(), 32 * std::numeric_limits<double>::epsilon() * largest, 4 * rounding_ * largest});
+  step_.offset = offset(motion);
   const double angle = rotation_angle(motion);
   constexpr double largest_angle = 1;  // κ is 1.14 there
   if (!(angle <= largest_angle)) {
@@ -94,6 +98,7 @@ void Swept::evaluate(std::size_t block, std::size_t point, double radius, const 
                             .relocation = motion.t1.to_world(contact.relocation),
                             .depth = norm(contact.relocation - path.chord().end),
                             .radius = radius,
+                            .offset = rounding_ > 0 ? step_.offset : 0,
                             .normal_t0 = motion.t0.turn_to_world(contact.normal_t0),
                             .sliding = this});
 }

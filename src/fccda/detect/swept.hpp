@@ -11,7 +11,7 @@
 #include <string_view>
 #include <vector>
 
-#include "base/parallel.hpp"
+#include "base/parallel_throwing.hpp"
 #include "fccda/detect/contact.hpp"
 #include "fccda/detect/curved_path.hpp"
 #include "fccda/detect/distance_cache.hpp"
@@ -39,6 +39,9 @@ class Swept final : public SlidingSurface {
   /// correspondingly larger distance from the surface.
   void set_rounding(double of_coordinates) { rounding_ = of_coordinates; }
 
+  /// [m] what relocation adds to the contact radius, and the contact test subtracts from it, in a step of this motion.
+  double offset(const Motion& motion) const;
+
   /// Adds the contacts of one step to `out`, in point order. `surface_travel` [m]: bound of the displacement of any point of the surface in
   /// this step, for both arc and chord (RigidBody::travel_bound). Throws InputError if the motion is not finite. A point with a path that is
   /// not finite is skipped.
@@ -51,8 +54,8 @@ class Swept final : public SlidingSurface {
       if (cache_.travel(b, step_.approach(points.block_travel(b) + surface_travel))) due_blocks_.push_back(b);
     fetch_points(points, due_blocks_, [&](std::size_t b, std::size_t i) { return cache_.is_due(b, i); });
     if (found_.size() < due_blocks_.size()) found_.resize(due_blocks_.size());
-    parallel_for_uneven(static_cast<std::ptrdiff_t>(due_blocks_.size()),
-                        [&](std::ptrdiff_t k) { evaluate_block(points, view, surface_travel, static_cast<std::size_t>(k), 0); });
+    parallel_for_uneven_throwing(static_cast<std::ptrdiff_t>(due_blocks_.size()),
+                                 [&](std::ptrdiff_t k) { evaluate_block(points, view, surface_travel, static_cast<std::size_t>(k), 0); });
     gather(due_blocks_.size(), out);
     sides_.end();
   }
@@ -72,7 +75,7 @@ class Swept final : public SlidingSurface {
     }
     fetch_points(points, due_blocks_, [&](std::size_t b, std::size_t i) { return cache_.is_due(b, i, way(points, b, surface_travel)); });
     if (found_.size() < due_blocks_.size()) found_.resize(due_blocks_.size());
-    parallel_for_uneven(static_cast<std::ptrdiff_t>(due_blocks_.size()), [&](std::ptrdiff_t k) {
+    parallel_for_uneven_throwing(static_cast<std::ptrdiff_t>(due_blocks_.size()), [&](std::ptrdiff_t k) {
       const auto block = static_cast<std::size_t>(k);
       evaluate_block(points, view, surface_travel, block, way(points, due_blocks_[block], surface_travel));
     });

@@ -1,14 +1,17 @@
 !> The interface of fccda (fccda.h) for Fortran 2018: contact of points with rigid and deforming surfaces.
 !>
-!> This file is compiled with the program: modules of one compiler cannot be read by another. Functions, types and constants have the names and the
-!> meaning that fccda.h documents. Points, panels and vertices are numbered from 0 on both sides: add 1 for an index into an array.
+!> This file is compiled with the program: modules of one compiler cannot be read by another. What has a name of fccda.h has its meaning, with these
+!> differences: fccda_xyz, fccda_three and fccda_each take double and single precision, fccda_message() is the text of fccda_last_error(), fccda_text() that
+!> of any pointer to text, and the types FCCDA_UNSET and FCCDA_ONE of views are FCCDA_TYPE_UNSET and FCCDA_TYPE_ONE, since Fortran does not tell them from
+!> the functions. Points, panels and vertices are numbered from 0 on both sides: add 1 for an index into an array.
 !>
 !>   use fccda
 !>   real(c_double), allocatable, target :: x_t0(:,:), x_t1(:,:), v(:,:)       ! (3, n)
 !>   points = fccda_points(x_t0=fccda_xyz(x_t0), x_t1=fccda_xyz(x_t1), velocity=fccda_xyz(v), mass=fccda_one(1d0))
 !>   if (fccda_detect(detector, motion, points, count) /= FCCDA_OK) error stop fccda_message()
 !>
-!> Views refer to the arrays, which need the attribute `target` and must not be reallocated while a view is used.
+!> Views refer to the arrays. Only arrays with the attribute `target` are accepted, and pointers; they must not be reallocated while a view is used. An
+!> array of another shape than (3, n), or three of different lengths or strides, give a view that every function refuses.
 module fccda
   use, intrinsic :: iso_c_binding
   implicit none
@@ -111,6 +114,11 @@ module fccda
   !> A view of vectors (3, n) in double or single precision, also of a section such as x(:, 1::2).
   interface fccda_xyz
     module procedure xyz_of_doubles, xyz_of_floats
+  end interface
+
+  !> A view of three arrays (n) of x, y and z in double or single precision, of equal lengths and strides.
+  interface fccda_three
+    module procedure three_of_doubles, three_of_floats
   end interface
 
   !> A view of numbers (n), one for each point.
@@ -390,6 +398,12 @@ module fccda
       type(fccda_vectors), intent(in) :: vertices
     end function
 
+    integer(c_int) function fccda_deforming_surface_place(surface, vertices) bind(C)
+      import
+      type(c_ptr), value :: surface
+      type(fccda_vectors), intent(in) :: vertices
+    end function
+
     integer(c_int) function fccda_deforming_surface_warnings(surface, text) bind(C)
       import
       type(c_ptr), value :: surface
@@ -492,36 +506,58 @@ module fccda
     end function
   end interface
 
-  private :: xyz_of_doubles, xyz_of_floats, each_of_doubles, each_of_floats, address
+  private :: xyz_of_doubles, xyz_of_floats, three_of_doubles, three_of_floats, three_of, each_of_doubles, each_of_floats, address
 
 contains
 
   function xyz_of_doubles(xyz) result(view)
-    real(c_double), intent(in), target :: xyz(:, :)
+    real(c_double), intent(in), pointer :: xyz(:, :)
     type(fccda_vectors) :: view
+    if (size(xyz, 1) /= 3) return
     view%type = FCCDA_DOUBLE
     view%stride = 3 * c_sizeof(0d0)
     view%count = size(xyz, 2, c_size_t)
-    if (size(xyz, 1) /= 3) error stop "fccda_xyz: the first dimension of the array must be 3."
     if (view%count == 0) return
     view%x = c_loc(xyz(1, 1)); view%y = c_loc(xyz(2, 1)); view%z = c_loc(xyz(3, 1))
     if (view%count > 1) view%stride = address(c_loc(xyz(1, 2))) - address(view%x)
   end function
 
   function xyz_of_floats(xyz) result(view)
-    real(c_float), intent(in), target :: xyz(:, :)
+    real(c_float), intent(in), pointer :: xyz(:, :)
     type(fccda_vectors) :: view
+    if (size(xyz, 1) /= 3) return
     view%type = FCCDA_FLOAT
     view%stride = 3 * c_sizeof(0e0)
     view%count = size(xyz, 2, c_size_t)
-    if (size(xyz, 1) /= 3) error stop "fccda_xyz: the first dimension of the array must be 3."
     if (view%count == 0) return
     view%x = c_loc(xyz(1, 1)); view%y = c_loc(xyz(2, 1)); view%z = c_loc(xyz(3, 1))
     if (view%count > 1) view%stride = address(c_loc(xyz(1, 2))) - address(view%x)
   end function
 
+  function three_of_doubles(x, y, z) result(view)
+    real(c_double), intent(in), pointer :: x(:), y(:), z(:)
+    type(fccda_vectors) :: view
+    view = three_of(fccda_each(x), fccda_each(y), fccda_each(z))
+  end function
+
+  function three_of_floats(x, y, z) result(view)
+    real(c_float), intent(in), pointer :: x(:), y(:), z(:)
+    type(fccda_vectors) :: view
+    view = three_of(fccda_each(x), fccda_each(y), fccda_each(z))
+  end function
+
+  pure function three_of(x, y, z) result(view)
+    type(fccda_numbers), intent(in) :: x, y, z
+    type(fccda_vectors) :: view
+    if (x%count /= y%count .or. x%count /= z%count .or. x%stride /= y%stride .or. x%stride /= z%stride) return
+    view%x = x%first; view%y = y%first; view%z = z%first
+    view%count = x%count
+    view%stride = x%stride
+    view%type = x%type
+  end function
+
   function each_of_doubles(numbers) result(view)
-    real(c_double), intent(in), target :: numbers(:)
+    real(c_double), intent(in), pointer :: numbers(:)
     type(fccda_numbers) :: view
     view%type = FCCDA_DOUBLE
     view%stride = c_sizeof(0d0)
@@ -532,7 +568,7 @@ contains
   end function
 
   function each_of_floats(numbers) result(view)
-    real(c_float), intent(in), target :: numbers(:)
+    real(c_float), intent(in), pointer :: numbers(:)
     type(fccda_numbers) :: view
     view%type = FCCDA_FLOAT
     view%stride = c_sizeof(0e0)

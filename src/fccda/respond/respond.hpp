@@ -18,6 +18,11 @@
 /// opposite wall of a gap), the point slides along it (SlidingSurface) and its velocity changes by the remaining shift. As a projection of
 /// the unobstructed change, friction never exceeds Coulomb's limit and never accelerates sliding.
 ///
+/// Coordinates in single precision are rounded by far more than those in double precision. Contact is therefore tested at an offset o nearer than the
+/// contact radius, and relocated to o beyond it (Contact::offset). A point at rest sinks from one to the other, and eq. 8 would take its way back for a
+/// velocity of 2 o/dt. The velocity away from the surface is reduced by as much, but not below that of the surface:
+///   v̄ ← v̄ - min(2 o/dt, w_n, J_n/m) n,   w_n = (v̄ - velocity of the surface)·n > 0
+///
 /// Points may have material that the body crushes (crushing.hpp): they are then relocated by less, and the ball that is left of them is smaller.
 #pragma once
 
@@ -28,7 +33,7 @@
 #include <vector>
 
 #include "base/finite.hpp"
-#include "base/parallel.hpp"
+#include "base/parallel_throwing.hpp"
 #include "fccda/detect/contact.hpp"
 #include "fccda/respond/crushing.hpp"
 #include "fccda/rigid_body/rigid_body.hpp"
@@ -37,13 +42,15 @@ namespace fccda {
 
 /// Sum of the contacts of a step, on the body.
 struct ContactSum {
-  Vec3d impulse{};                    ///< [N s]
-  Vec3d angular_impulse_about_com{};  ///< [N m s]
-  std::size_t contacts = 0;           ///< number of contacts
+  Vec3d impulse{};  ///< [N s]
+  /// [N m s] at a rigid body about the centre of mass of the RigidBody that respond() was given, where that is now; at a deforming surface about the
+  /// origin of the world frame.
+  Vec3d angular_impulse{};
+  std::size_t contacts = 0;  ///< number of contacts
 
   /// Adds the sum of other contacts.
   ContactSum& operator+=(const ContactSum& b) {
-    impulse += b.impulse, angular_impulse_about_com += b.angular_impulse_about_com, contacts += b.contacts;
+    impulse += b.impulse, angular_impulse += b.angular_impulse, contacts += b.contacts;
     return *this;
   }
 };
@@ -78,6 +85,13 @@ inline Vec3d slid(const Contact& contact, const Pose& pose, const Vec3d& from, c
   return contact.sliding ? contact.sliding->slide(pose, from, wanted, radius) : wanted;
 }
 
+/// Part of the velocity after relocation [m/s] that is the way across the offset of single precision, and no motion (above). `velocity`: before.
+template <class SurfaceVelocity>
+Vec3d velocity_across_offset(const Contact& contact, const Vec3d& velocity, const Resolved& after, double dt, const SurfaceVelocity& surface_velocity) {
+  const double separating = dot(after.velocity - surface_velocity(after.position), contact.normal), pushed = dot(after.velocity - velocity, contact.normal);
+  return std::max(0.0, std::min({2 * contact.offset / dt, separating, pushed})) * contact.normal;
+}
+
 /// Response of one point: relocation and friction. `pose`: of the surface at t1; `surface_velocity(x)` [m/s]: mean over the step of the surface's
 /// material point that is at x at t1. `limit(push)`: Crushed, for a velocity change of `push` in rigid contact.
 template <class SurfaceVelocity, class Limit>
@@ -92,6 +106,11 @@ Resolved resolved(const Contact& contact, const Vec3d& position_t0, const Vec3d&
       after.position = slid(contact, pose, after.position, after.position + turn, contact.radius);
       after.velocity = (after.position - position_t0) / dt;
     }
+  }
+  Vec3d across{};
+  if (contact.offset > 0) {
+    across = velocity_across_offset(contact, velocity, after, dt, surface_velocity);
+    after.velocity -= across;
   }
   const Vec3d change = after.velocity - velocity;
   double pushed = std::max(0.0, dot(change, contact.normal));  // J_n/m
@@ -121,6 +140,7 @@ Resolved resolved(const Contact& contact, const Vec3d& position_t0, const Vec3d&
   } else {
     after.position = place - shift;
     after.velocity = (after.position - position_t0) / dt;
+    if (contact.offset > 0) after.velocity -= across;
   }
   return after;
 }
@@ -169,7 +189,7 @@ ContactSum resolve_points(P& points, std::span<const Contact> contacts, const Mo
   if (contacts.size() < contacts_worth_threads)
     for (std::size_t k = 0; k < contacts.size(); ++k) resolve(k);
   else
-    parallel_for_uneven(static_cast<std::ptrdiff_t>(contacts.size()), [&](std::ptrdiff_t k) { resolve(static_cast<std::size_t>(k)); });
+    parallel_for_uneven_throwing(static_cast<std::ptrdiff_t>(contacts.size()), [&](std::ptrdiff_t k) { resolve(static_cast<std::size_t>(k)); });
   ContactSum sum;
   const auto impulse_of = [&](std::size_t k) { return -points.mass(contacts[k].point) * (all[k].velocity - points.velocity(contacts[k].point)); };
   for (std::size_t k = 0; k < contacts.size(); ++k) {
@@ -177,12 +197,12 @@ ContactSum resolve_points(P& points, std::span<const Contact> contacts, const Mo
     Vec3d place = point_of_application(contacts[k], points.position_t0(contacts[k].point), all[k].position, motion);
     if constexpr (CrushablePoints<P>) place -= points.offset(contacts[k].point);
     sum.impulse += impulse;
-    sum.angular_impulse_about_com += cross(place - centre_of_mass, impulse);
+    sum.angular_impulse += cross(place - centre_of_mass, impulse);
     ++sum.contacts;
   }
   // before anything changes
   expect_finite(sum.impulse, "contact: the sum of the impulses on the body");
-  expect_finite(sum.angular_impulse_about_com, "contact: the sum of the angular impulses on the body");
+  expect_finite(sum.angular_impulse, "contact: the sum of the angular impulses on the body");
   for (std::size_t k = 0; k < contacts.size(); ++k) {
     const Vec3d impulse = impulse_of(k);
     points.set(contacts[k].point, all[k].position, all[k].velocity);
@@ -197,7 +217,7 @@ ContactSum resolve_points(P& points, std::span<const Contact> contacts, const Mo
 template <PointsInContact P, class Report>
 ContactSum respond(P& points, std::span<const Contact> contacts, const Motion& motion, RigidBody& body, double friction, Report&& report) {
   const ContactSum sum = resolve_points(points, contacts, motion, body.position_of_com(), friction, report);
-  body.add_impulse(sum.impulse, sum.angular_impulse_about_com);
+  body.add_impulse(sum.impulse, sum.angular_impulse);
   return sum;
 }
 

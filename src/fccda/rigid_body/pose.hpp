@@ -15,7 +15,7 @@ class Pose {
   Pose() = default;
   /// `attitude` must be of unit length. It is stored bitwise, so that a restart is exact.
   explicit Pose(const Vec3d& position, const Quaternion& attitude = {})
-      : position_(position), attitude_(attitude), to_world_(attitude_.matrix()), to_body_(transpose(to_world_)) {}
+      : position_(position), attitude_(attitude), to_world_(matrix_of(attitude_)), to_body_(transpose(to_world_)) {}
 
   const Vec3d& position() const { return position_; }       ///< [m] of the body frame's origin
   const Quaternion& attitude() const { return attitude_; }  ///< rotation from the body frame to the world frame
@@ -27,6 +27,14 @@ class Pose {
   Vec3d turn_to_body(const Vec3d& vector) const { return to_body_ * vector; }         ///< direction in the body frame
 
  private:
+  // Of an attitude that is not of unit length, as in single precision (expect_usable), the matrix scales: the surface is then larger in one direction of
+  // the conversion than in the other, and relocated points are inside. Rounding is left alone, so that a matrix is that of its bits.
+  static Mat3 matrix_of(const Quaternion& q) {
+    constexpr double rounding = 1e-12;
+    const double squared = q.w * q.w + q.x * q.x + q.y * q.y + q.z * q.z;
+    return std::fabs(squared - 1) > rounding && squared > 0 ? q.normalised().matrix() : q.matrix();
+  }
+
   Vec3d position_;
   Quaternion attitude_;
   Mat3 to_world_ = Mat3::identity();

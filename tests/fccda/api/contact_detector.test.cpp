@@ -3,9 +3,11 @@
 #include <doctest/doctest.h>
 
 #include <limits>
+#include <type_traits>
 
 #include "base/error.hpp"
 #include "base/parallel.hpp"
+#include "fccda/api/deforming_contact_detector.hpp"
 #include "fccda/api/respond_arrays.hpp"
 #include "fccda/detect/scene.hpp"
 #include "fixtures/threads.hpp"
@@ -160,7 +162,7 @@ TEST_CASE("plain call: a body moved by hand between two steps contacts points th
 
 TEST_CASE("plain call: a point that entered outside the contact bounds stays without contact when points are renumbered") {
   const Surface surface(make_box({.size = {1, 1, 1}, .edge_length = 0.25}));
-  ContactDetector detector(surface, {.region = BoxUnion({.size = {2, 2, 0.5}}, surface, Beyond::clip)});
+  ContactDetector detector(surface, {.contact_bounds = BoxUnion({.size = {2, 2, 0.5}}, surface, Beyond::clip)});
   const Vec3d far{0, 0, 5}, above{0.4, 0, 0.26}, in{0.4, 0, 0.24}, deeper{0.4, 0, 0.23};
   CHECK(detector.detect(fixtures::at_rest(), std::vector<Vec3d>{far, above}, std::vector<Vec3d>{far, in}).empty());
   detector.points_changed();
@@ -336,6 +338,48 @@ TEST_CASE("plain call: detectors that share a surface find the same contacts as 
     respond(contacts, motion, scene.hull, {scene.x_t0, scene.x_t1, scene.velocity, scene.mass});
   }
   CHECK(found > 50);
+}
+
+TEST_CASE("plain call: a ball that grows in front of an open surface is relocated, also from and to the radius of the detector, but not after a renumbering") {
+  Panels square;
+  square.vertices = {{-5, -5, 0}, {5, -5, 0}, {5, 5, 0}, {-5, 5, 0}};
+  square.add_quad(0, 1, 2, 3);
+  const auto surface = share(Surface(square, {.orientation = Orientation::normals}));
+  const Motion still = {Pose(), Pose(), 1e-3, {}};
+  const std::vector<Vec3d> x{{0.3, 0.2, 0.15}, {0.3, 0.7, 9}};
+  const std::vector<double> small{0.1, 0.1}, large{0.2, 0.2};
+  const auto contacts = [&](double radius, const auto& before, const auto& then) {
+    ContactDetector detector(surface, {.radius = radius});
+    const auto soft = std::make_shared<DeformingSurface>(surface->surface());
+    DeformingContactDetector deforming(soft, radius);
+    before(detector), soft->move(square.vertices), before(deforming);
+    const std::vector<Contact> found = then(detector);
+    soft->move(square.vertices);
+    const std::size_t of_deforming = then(deforming).size();
+    CHECK(of_deforming == found.size());
+    for (const Contact& contact : found) CHECK(contact.relocation.z == fixtures::absolute(0.2, 1e-10, "m"));  // and the offset of 1e-11
+    return found.size();
+  };
+  const auto detect = [&](auto& detector, const auto&... radius) {
+    if constexpr (std::is_same_v<std::decay_t<decltype(detector)>, ContactDetector>)
+      return detector.detect(still, x, x, radius...);
+    else
+      return detector.detect(x, x, radius...);
+  };
+  CHECK(contacts(
+            0, [&](auto& one) { detect(one, small); }, [&](auto& one) { return detect(one, large); }) == 1);
+  CHECK(contacts(
+            0.1, [&](auto& one) { detect(one); }, [&](auto& one) { return detect(one, large); }) == 1);
+  CHECK(contacts(
+            0.2, [&](auto& one) { detect(one, small); }, [&](auto& one) { return detect(one); }) == 1);
+  // Another point may have this number: it starts inside, and is regarded as one that came round the boundary.
+  CHECK(contacts(
+            0,
+            [&](auto& one) {
+              detect(one, small);
+              one.points_changed();
+            },
+            [&](auto& one) { return detect(one, large); }) == 0);
 }
 
 TEST_CASE("plain call: points stored as floats never end inside, nor behind an open surface, with radius or without") {

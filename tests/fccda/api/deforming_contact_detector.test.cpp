@@ -188,3 +188,38 @@ TEST_CASE("deforming contact detector: what it cannot use it refuses in a senten
   CHECK(refusal(0.01, 1, net.mass, net.impulse).empty());
   CHECK(to[0].z == fixtures::relative(0.02, 1e-9));
 }
+
+TEST_CASE("deforming contact detector: impulses that are not finite are refused, and nothing is changed") {
+  Net net;
+  net.surface->move(net.x);
+  std::vector<Vec3d> from{{0.01, 0.02, 0.1}, {0.11, 0.02, 0.1}}, to{{0.01, 0.02, -0.1}, {0.11, 0.02, -0.1}}, velocity{{0, 0, -20}, {0, 0, -1e10}};
+  const std::vector<Vec3d> to_before = to, velocity_before = velocity;
+  const std::vector<DeformingContact> contacts = net.detector.detect(from, to);
+  REQUIRE(contacts.size() == 2);
+  const auto refusal = [&](double mass, double vertex_mass, std::vector<Vec3d>& impulses) {
+    return message<InputError>([&] { respond(contacts, 0.01, {from, to, velocity, mass}, 0, vertex_mass, impulses); });
+  };
+  for (const double vertex_mass : {prescribed_motion, 1e-320}) {  // of which the inverse is infinite
+    CHECK(refusal(1e305, vertex_mass, net.impulse).find("but it must be finite.") != std::string::npos);
+    CHECK((to == to_before && velocity == velocity_before));
+    for (const Vec3d& impulse : net.impulse) CHECK(impulse == Vec3d{});
+  }
+  std::vector<Vec3d> not_cleared(net.impulse.size(), {std::numeric_limits<double>::quiet_NaN(), 0, 0});
+  CHECK(refusal(1, 1, not_cleared).starts_with("contact: the impulse on vertex "));
+  CHECK(refusal(1, 1, not_cleared).ends_with(" so far is (nan, 0, 0), but it must be finite."));
+  CHECK((to == to_before && velocity == velocity_before));
+  CHECK(refusal(1, 1, net.impulse).empty());
+}
+
+TEST_CASE("deforming contact detector: two contacts of one point are refused") {
+  Net net;
+  net.surface->move(net.x);
+  std::vector<Vec3d> from{{0.01, 0.02, 0.1}}, to{{0.01, 0.02, -0.1}}, velocity{{0, 0, -20}};
+  std::vector<DeformingContact> contacts = net.detector.detect(from, to);
+  REQUIRE(contacts.size() == 1);
+  contacts.push_back(contacts[0]);
+  CHECK(message<InputError>([&] {
+          respond(contacts, 0.01, {from, to, velocity, 1.0}, 0, 1.0, net.impulse);
+        }).starts_with("contact: a contact of point 0 follows one of point 0, but each point may have one contact only"));
+  CHECK(velocity[0].z == -20);
+}

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "base/error.hpp"
+#include "fixtures/tolerance.hpp"
 
 using namespace fccda;
 
@@ -76,7 +77,7 @@ TEST_CASE("plain response: without the body it returns the body's impulse, and t
   for (const Contact& contact : contacts) sum += respond_without_body({&contact, 1}, motion, parts, {x_t0, again, w, 3.0}, 0.1);
   CHECK(parts.velocity() == Vec3d{});
   CHECK(sum.contacts == 2);
-  parts.add_impulse(sum.impulse, sum.angular_impulse_about_com);
+  parts.add_impulse(sum.impulse, sum.angular_impulse);
   CHECK((again == x && w == v));
   CHECK((parts.velocity() == whole.velocity() && parts.angular_velocity() == whole.angular_velocity()));
 }
@@ -98,15 +99,18 @@ TEST_CASE("plain response: friction that is negative or not a number, masses and
   refused(1, {}, infinity, "contact: the friction coefficient is inf, but it must be a finite number of at least 0.");
   refused(-1, {}, 0, "contact: the mass of point 0 is -1 kg, but it must be a finite number of at least 0.");
   refused(nan, {}, 0, "contact: the mass of point 0 is nan kg, but it must be a finite number of at least 0.");
-  refused(1, {0, infinity, 0}, 0, "contact: the velocity of point 0 is (0, inf, 0), but it must be finite.");
   std::vector<Vec3d> x{{0, 0, 0}}, v{{0, 0, -1e300}};
   CHECK_THROWS_AS(respond(contacts, motion, body, {x_t0, x, v, 1e300}), InputError);  // whose impulse is not finite
   CHECK(x[0] == Vec3d{});
   CHECK(v[0] == Vec3d{0, 0, -1e300});
   v[0].z = -4;
   const std::vector<Vec3d> nowhere{{0, 0, nan}};
-  CHECK_THROWS_WITH_AS(respond(contacts, motion, body, {nowhere, x, v, 1.0}), "contact: the position at t0 of point 0 is (0, 0, nan), but it must be finite.",
-                       InputError);
+  const auto unstable = [](const std::string& what) {
+    return "contact: the " + what + ", which is not finite; the solver has become unstable, use a shorter step.";
+  };
+  CHECK_THROWS_WITH_AS(respond(contacts, motion, body, {nowhere, x, v, 1.0}), unstable("position at t0 of point 0 is (0, 0, nan)").c_str(), RunError);
+  std::vector<Vec3d> too_fast{{0, infinity, 0}};
+  CHECK_THROWS_WITH_AS(respond(contacts, motion, body, {x_t0, x, too_fast, 1.0}), unstable("velocity of point 0 is (0, inf, 0)").c_str(), RunError);
   CHECK(x[0] == Vec3d{});
   CHECK(v[0] == Vec3d{0, 0, -4});
   Motion astray = motion;
@@ -114,4 +118,28 @@ TEST_CASE("plain response: friction that is negative or not a number, masses and
   CHECK_THROWS_AS(respond(contacts, astray, body, {x_t0, x, v, 1.0}), InputError);
   const std::vector<Contact> of_nobody{{.point = 1}};
   CHECK_THROWS_AS(respond(of_nobody, motion, body, {x_t0, x, v, 1.0}), InputError);
+}
+
+TEST_CASE("plain response: two contacts of one point, as of two detectors, and contacts in another order are refused, and nothing is changed") {
+  RigidBody body = free_body(1);
+  const Motion motion = body.advance(1);
+  const std::vector<Vec3d> x_t0{{0, 0, 1}, {1, 0, 1}};
+  std::vector<Vec3d> x{{0, 0, 0.5}, {1, 0, 0.5}}, v{{0, 0, -0.5}, {0, 0, -0.5}};
+  const Contact first{.point = 0, .normal = {0, 0, 1}, .relocation = {0, 0, 0.6}}, second{.point = 1, .normal = {0, 0, 1}, .relocation = {1, 0, 0.6}};
+  const auto refusal = [&](const std::vector<Contact>& contacts) {
+    std::string sentence;
+    try {
+      respond(contacts, motion, body, {x_t0, x, v, 1.0});
+    } catch (const InputError& error) {
+      sentence = error.what();
+    }
+    CHECK((v[0].z == -0.5 && v[1].z == -0.5 && x[0].z == 0.5 && x[1].z == 0.5));
+    CHECK(body.velocity() == Vec3d{});
+    return sentence;
+  };
+  const std::string why = ", but each point may have one contact only, in ascending order; respond to the contacts of each detector by themselves.";
+  CHECK(refusal({first, first}) == "contact: a contact of point 0 follows one of point 0" + why);
+  CHECK(refusal({second, first}) == "contact: a contact of point 0 follows one of point 1" + why);
+  respond(std::vector<Contact>{first, second}, motion, body, {x_t0, x, v, 1.0});
+  CHECK(v[0].z + v[1].z + body.velocity().z == fixtures::relative(-1, 1e-15));  // momentum of two points of 1 kg
 }

@@ -60,7 +60,7 @@ TEST_CASE("C interface: a detector within boxes, sectors or fitted contact bound
   CHECK(std::string(fccda_detector_bounds(detector)).starts_with("2 boxes as given, of 0.127"));
   CHECK(std::string(fccda_detector_bounds(detector)).ends_with("contact beyond them is ignored"));
   const std::size_t in_boxes =
-      expect_same_contacts(detector, ContactDetector(shared, {.radius = radius, .region = BoxUnion(shapes, shared->surface(), Beyond::clip)}));
+      expect_same_contacts(detector, ContactDetector(shared, {.radius = radius, .contact_bounds = BoxUnion(shapes, shared->surface(), Beyond::clip)}));
   CHECK(in_boxes > 0);
   CHECK(in_boxes < without);
 
@@ -69,7 +69,7 @@ TEST_CASE("C interface: a detector within boxes, sectors or fitted contact bound
   REQUIRE(fccda_detector_create_in_sectors(surface, radius, &sectors, FCCDA_IGNORE_BEYOND, &detector) == FCCDA_OK);
   CHECK(std::string(fccda_detector_bounds(detector)).starts_with("a cylinder with sectors as given, of 0."));
   const std::size_t in_sectors =
-      expect_same_contacts(detector, ContactDetector(shared, {.radius = radius, .region = CylinderSectors(fan, shared->surface(), Beyond::clip)}));
+      expect_same_contacts(detector, ContactDetector(shared, {.radius = radius, .contact_bounds = CylinderSectors(fan, shared->surface(), Beyond::clip)}));
   CHECK(in_sectors > 0);
   CHECK(in_sectors < without);
 
@@ -81,7 +81,7 @@ TEST_CASE("C interface: a detector within boxes, sectors or fitted contact bound
   const FittedBounds fitted = fit_contact_bounds(shared->surface());
   REQUIRE(fccda_detector_create_in_fitted_bounds(surface, radius, &detector) == FCCDA_OK);
   CHECK(std::string(fccda_detector_bounds(detector)) == fitted.choice);
-  CHECK(expect_same_contacts(detector, ContactDetector(shared, {.radius = radius, .region = fitted.region})) == without);
+  CHECK(expect_same_contacts(detector, ContactDetector(shared, {.radius = radius, .contact_bounds = fitted.region})) == without);
   CHECK(fccda_detector_bounds(nullptr) == nullptr);
   fccda_surface_destroy(surface);
 }

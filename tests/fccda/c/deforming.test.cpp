@@ -158,6 +158,47 @@ TEST_CASE("C interface: a deforming run that is resumed continues bitwise, kept 
   CHECK(fccda_deforming_detector_points_changed(first.detector) == FCCDA_OK);
 }
 
+TEST_CASE("C interface: a rejected step of a net is taken back by placing the net and resuming the detector, and the next step is bitwise the same") {
+  Cloud<double> ours(layouts()[0], {-0.45, -0.45, 0.03}, {0.45, 0.45, 0.3}), theirs = ours;
+  CNet accepted, tried;
+  Net net;
+  const fccda_numbers heavy = fccda_one(std::numeric_limits<double>::infinity());
+  const fccda_vectors impulses = fccda_xyz(&net.impulse[0].x, net.impulse.size());
+  std::size_t all = 0, of_trials = 0;
+  const auto step = [&](const CNet& of, std::vector<Vec3d>& vertices, Cloud<double>& cloud) {
+    of.move(vertices);
+    cloud.move(dt);
+    const fccda_points points = cloud.c_points(false);
+    std::size_t number = 0;
+    CHECK(fccda_deforming_detect(of.detector, &points, &number) == FCCDA_OK);
+    CHECK(fccda_deforming_respond(of.detector, dt, &points, 0.2, &heavy, &impulses, nullptr) == FCCDA_OK);
+    return number;
+  };
+  for (int k = 0; k < 60; ++k) {
+    std::vector<Vec3d> before = net.x;
+    for (std::size_t v = 0; v < net.x.size(); ++v) net.x[v].z = 0.03 * std::sin(0.3 * k) * (1 + net.x[v].x);
+    all += step(accepted, net.x, ours);
+
+    // a step that goes elsewhere, and is rejected
+    const std::int64_t* numbers = nullptr;
+    std::size_t length = 0;
+    CHECK(fccda_deforming_detector_state(tried.detector, &numbers, &length) == FCCDA_OK);
+    const std::vector<std::int64_t> state(numbers, numbers + length);
+    std::vector<Vec3d> elsewhere = before;
+    for (Vec3d& x : elsewhere) x.z += 0.2;
+    Cloud<double> trial = theirs;
+    of_trials += step(tried, elsewhere, trial);
+    const fccda_vectors back = fccda_xyz(&before[0].x, before.size());
+    CHECK(fccda_deforming_surface_place(tried.net, &back) == FCCDA_OK);
+    CHECK(fccda_deforming_detector_resume(tried.detector, state.data(), state.size()) == FCCDA_OK);
+
+    step(tried, net.x, theirs);
+    REQUIRE(std::memcmp(ours.numbers.data(), theirs.numbers.data(), ours.numbers.size() * sizeof(double)) == 0);
+  }
+  CHECK(all > 1000);
+  CHECK(of_trials > 1000);
+}
+
 TEST_CASE("C interface: warnings about a step of a deforming surface are those of C++, a line for each") {
   Net net;
   CNet c;

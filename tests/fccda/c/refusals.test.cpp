@@ -135,6 +135,63 @@ const std::vector<Refusal>& refusals() {
          return fccda_surface_create(&s.at, nullptr, 0, 3, &options, &s.surface);
        },
        FCCDA_INPUT_ERROR, "surface: the orientation is 3, but it must be FCCDA_UNDECLARED"},
+      {"a weld distance below zero",
+       [](Scene& s) {
+         const std::int32_t panels[] = {0, 1, 2};
+         const fccda_surface_options options{-1, "net", FCCDA_NORMALS, 0};
+         return fccda_surface_create(&s.at, panels, 1, 3, &options, &s.surface);
+       },
+       FCCDA_INPUT_ERROR, "net: the weld distance is -1, but it must be a finite number of at least 0; 0 merges coincident vertices only."},
+      {"a weld distance that is no number",
+       [](Scene& s) {
+         const std::int32_t panels[] = {0, 1, 2};
+         const fccda_surface_options options{nan, "net", FCCDA_NORMALS, 0};
+         return fccda_surface_create(&s.at, panels, 1, 3, &options, &s.surface);
+       },
+       FCCDA_INPUT_ERROR, "net: the weld distance is nan"},
+      {"a reserved member of options",
+       [](Scene& s) {
+         const std::int32_t panels[] = {0, 1, 2};
+         const fccda_surface_options options{0, "net", FCCDA_NORMALS, 7};
+         return fccda_surface_create(&s.at, panels, 1, 3, &options, &s.surface);
+       },
+       FCCDA_INPUT_ERROR, "fccda: the member `reserved` of `options` is 7, but it must be 0; set the structure to zero before its members."},
+      {"a reserved member of a propeller",
+       [](Scene& s) {
+         fccda_propeller propeller = s.propeller;
+         propeller.reserved = 1;
+         return fccda_surface_propeller(&propeller, &s.surface);
+       },
+       FCCDA_INPUT_ERROR, "fccda: the member `reserved` of `propeller` is 1"},
+      {"a reserved member of sectors",
+       [](Scene& s) {
+         const fccda_sectors sectors{{0, 0, 1}, {0, 0, 0}, 3, 3, 0, 0, 0, 1, 5};
+         return fccda_detector_create_in_sectors(s.cube, 0, &sectors, FCCDA_REFUSE_BEYOND, &s.other);
+       },
+       FCCDA_INPUT_ERROR, "fccda: the member `reserved` of `sectors` is 5"},
+      {"a reserved member of vectors", with_points([](Scene&, fccda_points& p) { p.x_t1.reserved = -1; }), FCCDA_INPUT_ERROR,
+       "fccda: the member `reserved` of `x_t1` is -1"},
+      {"a reserved member of numbers", with_points([](Scene&, fccda_points& p) { p.radius = fccda_one(0.1), p.radius.reserved = 2; }), FCCDA_INPUT_ERROR,
+       "fccda: the member `reserved` of `radius` is 2"},
+      {"sectors with an angle that is no number",
+       [](Scene& s) {
+         const fccda_sectors sectors{{0, 0, 1}, {0, 0, 0}, 3, 3, 0, nan, 0, 1, 0};
+         return fccda_detector_create_in_sectors(s.cube, 0, &sectors, FCCDA_IGNORE_BEYOND, &s.other);
+       },
+       FCCDA_INPUT_ERROR, "contact bounds: the angle of the cylinder's sectors is nan rad"},
+      {"a box with a centre that is no number",
+       [](Scene& s) {
+         const fccda_box box{{1, 1, 1}, {0, nan, 0}};
+         return fccda_detector_create_in_boxes(s.cube, 0, &box, 1, FCCDA_IGNORE_BEYOND, &s.other);
+       },
+       FCCDA_INPUT_ERROR, "contact bounds: the centre of the box is (0, nan, 0), but it must be finite."},
+      {"a closed surface whose outside is inside",
+       [](Scene& s) {
+         const std::int32_t panels[] = {0, 2, 1, 0, 1, 4, 1, 2, 4, 2, 0, 4};
+         const fccda_surface_options options{0, "tank", FCCDA_REVERSED, 0};
+         return fccda_surface_create(&s.at, panels, 4, 3, &options, &s.surface);
+       },
+       FCCDA_INPUT_ERROR, "tank: the surface is closed, so its outside is known"},
       {"no panels", [](Scene& s) { return fccda_surface_create(&s.at, nullptr, 0, 3, nullptr, &s.surface); }, FCCDA_INPUT_ERROR, "surface: "},
       {"a sphere without size", [](Scene& s) { return fccda_surface_sphere(-1, 0, &s.surface); }, FCCDA_INPUT_ERROR, "sphere: "},
       {"an axis that is none", [](Scene& s) { return fccda_surface_cylinder(1, 1, 3, 0, &s.surface); }, FCCDA_INPUT_ERROR, "cylinder: the axis is 3"},
@@ -289,6 +346,21 @@ const std::vector<Refusal>& refusals() {
          return fccda_deforming_surface_move(s.soft, &less);
        },
        FCCDA_INPUT_ERROR, "deforming surface: "},
+      {"a vertex that is no number",
+       [](Scene& s) {
+         std::vector<double> vertices = s.vertices;
+         vertices[4] = nan;
+         const fccda_vectors at = fccda_xyz(vertices.data(), 8);
+         return fccda_deforming_surface_move(s.soft, &at);
+       },
+       FCCDA_RUN_ERROR, "deforming surface: vertex 1 goes from"},
+      {"a velocity that is no number",
+       [](Scene& s) {
+         CHECK(fccda_detect(s.detector, &s.rest, &s.points, nullptr) == FCCDA_OK);
+         s.v[2] = nan;
+         return fccda_respond(s.detector, &s.rest, &s.points, 0, s.body, nullptr);
+       },
+       FCCDA_RUN_ERROR, "contact: the velocity of point 0 is (0, 0, nan), which is not finite"},
       {"a second detection without a move",
        [](Scene& s) {
          CHECK(fccda_deforming_surface_move(s.soft, &s.at) == FCCDA_OK);
@@ -400,6 +472,8 @@ TEST_CASE("C interface: NULL is refused wherever it is no choice, by the name of
       {"deforming", fccda_deforming_surface_create(s.cube, nullptr)},
       {"surface", fccda_deforming_surface_move(nullptr, &s.at)},
       {"vertices", fccda_deforming_surface_move(s.soft, nullptr)},
+      {"surface", fccda_deforming_surface_place(nullptr, &s.at)},
+      {"vertices", fccda_deforming_surface_place(s.soft, nullptr)},
       {"surface", fccda_deforming_surface_warnings(nullptr, &text)},
       {"text", fccda_deforming_surface_warnings(s.soft, nullptr)},
       {"surface", fccda_deforming_detector_create(nullptr, 0, &s.other_soft_detector)},

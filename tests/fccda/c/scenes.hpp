@@ -107,7 +107,7 @@ inline bool same(const Contact& a, const fccda_contact& b) {
 }
 
 inline bool same(const ContactSum& a, const fccda_contact_sum& b) {
-  return a.impulse == as_vector(b.impulse) && a.angular_impulse_about_com == as_vector(b.angular_impulse) && a.contacts == static_cast<std::size_t>(b.contacts);
+  return a.impulse == as_vector(b.impulse) && a.angular_impulse == as_vector(b.angular_impulse) && a.contacts == static_cast<std::size_t>(b.contacts);
 }
 
 }  // namespace c_scenes

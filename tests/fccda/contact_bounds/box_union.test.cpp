@@ -2,6 +2,8 @@
 
 #include <doctest/doctest.h>
 
+#include <limits>
+
 #include "base/error.hpp"
 #include "fccda/contact_bounds/scenes.hpp"
 #include "fixtures/tolerance.hpp"
@@ -106,4 +108,22 @@ TEST_CASE("box union: the shared volume of boxes counts once") {
   int inside = 0;
   for (int k = 0; k < 40'000; ++k) inside += several.contains(fixtures::random_in_box(random, {0, 0, 0}, {1, 1, 1})) ? 1 : 0;
   CHECK(std::fabs(inside / 40'000.0 - several.volume()) < 0.0055);
+}
+
+TEST_CASE("box union: a size or a centre that is not finite, an edge length that is not positive, and no box at all are refused in a sentence") {
+  const Surface cube(fixtures::unit_cube());
+  const double nan = std::numeric_limits<double>::quiet_NaN(), infinite = std::numeric_limits<double>::infinity();
+  for (const Beyond beyond : {Beyond::clip, Beyond::error}) {
+    for (const Vec3d& size : {Vec3d{nan, 2, 2}, Vec3d{2, infinite, 2}, Vec3d{2, 2, -2}, Vec3d{2, 0, 2}}) {
+      const BoxUnion::Shape boxes[] = {{.size = {3, 3, 3}}, {.size = size}};
+      CHECK(complaint(boxes, cube, beyond).starts_with("contact bounds: the size of box 2 of 2 is ("));
+      CHECK(complaint(boxes, cube, beyond).ends_with(") m, but its three edge lengths must be finite and positive; correct it."));
+    }
+    for (const Vec3d& centre : {Vec3d{nan, 0, 0}, Vec3d{0, -infinite, 0}}) {
+      const BoxUnion::Shape box{.size = {3, 3, 3}, .centre = centre};
+      CHECK(complaint(std::span(&box, 1), cube, beyond).starts_with("contact bounds: the centre of the box is ("));
+      CHECK(complaint(std::span(&box, 1), cube, beyond).ends_with("), but it must be finite."));
+    }
+    CHECK(complaint({}, cube, beyond) == "contact bounds: no boxes are given; give one at least.");
+  }
 }

@@ -2,6 +2,7 @@
 
 #include <doctest/doctest.h>
 
+#include <limits>
 #include <numbers>
 
 #include "base/error.hpp"
@@ -144,4 +145,39 @@ TEST_CASE("cylinder sectors: a piece shorter than the slack may cut the corner b
   CHECK(fan.contains(middle));
   CHECK(fan.distance_at_least(middle) == 0);
   CHECK(fan.may_contact({middle, middle}, 0));
+}
+
+TEST_CASE("cylinder sectors: numbers that are not finite or out of range are refused in a sentence, whether or not the surface may exceed the bounds") {
+  const Surface cube(fixtures::unit_cube());
+  const double nan = std::numeric_limits<double>::quiet_NaN(), infinite = std::numeric_limits<double>::infinity();
+  const CylinderSectors::Shape sound{.radius = 4, .length = 3, .hub_radius = 0.1, .blades = 3, .sector_angle = 1, .start_angle = 0.2};
+  for (const Beyond beyond : {Beyond::clip, Beyond::error}) {
+    const auto of = [&](auto member, auto value) {
+      CylinderSectors::Shape shape = sound;
+      shape.*member = value;
+      return complaint(shape, cube, beyond);
+    };
+    using Shape = CylinderSectors::Shape;
+    CHECK(of(&Shape::axis, Vec3d{}) ==
+          "contact bounds: the axis of the cylinder's sectors is (0, 0, 0), but it must have a direction and a finite length; correct it.");
+    for (const Vec3d& axis : {Vec3d{nan, 0, 1}, Vec3d{infinite, 0, 0}, Vec3d{1e200, 0, 0}, Vec3d{1e-200, 0, 0}})
+      CHECK(of(&Shape::axis, axis).ends_with("), but it must have a direction and a finite length; correct it."));
+    CHECK(of(&Shape::point, Vec3d{0, nan, 0}) == "contact bounds: the centre of the cylinder's sectors is (0, nan, 0) m, but it must be finite; correct it.");
+    CHECK(of(&Shape::radius, nan) == "contact bounds: the radius of the cylinder's sectors is nan m, but it must be finite and positive; correct it.");
+    CHECK(of(&Shape::length, -1.0) == "contact bounds: the length of the cylinder's sectors is -1 m, but it must be finite and not negative; correct it.");
+    CHECK(of(&Shape::hub_radius, nan) ==
+          "contact bounds: the radius of the hub of the cylinder's sectors is nan m, but it must be finite and not negative; correct it.");
+    CHECK(of(&Shape::sector_angle, 7.0) == "contact bounds: the angle of the cylinder's sectors is 7 rad, but it must be from 0 to 2 pi; correct it.");
+    CHECK(of(&Shape::start_angle, nan) == "contact bounds: the begin of the cylinder's sectors is nan rad, but it must be finite; correct it.");
+    CHECK(of(&Shape::blades, 0) == "contact bounds: the number of the cylinder's sectors is 0, but it must be from 1 to 1000; correct it.");
+    for (const double wrong : {0.0, -2.0, infinite}) CHECK(of(&Shape::radius, wrong).starts_with("contact bounds: the radius of the cyl"));
+    for (const double wrong : {nan, infinite}) CHECK(of(&Shape::length, wrong).starts_with("contact bounds: the length of"));
+    for (const double wrong : {-0.1, infinite}) CHECK(of(&Shape::hub_radius, wrong).starts_with("contact bounds: the radius of the hub"));
+    for (const double wrong : {nan, -1.0, infinite}) CHECK(of(&Shape::sector_angle, wrong).starts_with("contact bounds: the angle of"));
+    for (const int wrong : {-3, 1001, 2000000000}) CHECK(of(&Shape::blades, wrong).starts_with("contact bounds: the number of"));
+  }
+  // the ends of the ranges
+  CylinderSectors::Shape whole = sound;
+  whole.sector_angle = 2 * pi, whole.hub_radius = 0, whole.blades = 1000;
+  CHECK(complaint(whole, cube, Beyond::clip).empty());
 }

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <limits>
 
+#include "fccda/deforming/deforming.hpp"
 #include "fccda/detect/scene.hpp"
 #include "fccda/rigid_body/rigid_body.hpp"
 #include "fixtures/threads.hpp"
@@ -364,4 +365,31 @@ TEST_CASE("swept: positions that are not numbers have no contact and do not affe
       CHECK(contacts[0].point == 2);
     }
   }
+}
+
+TEST_CASE("swept: a point that comes to occupy a number that was empty is found once it is reported as moved, with a rigid and with a deforming surface") {
+  struct Slots : fixtures::TestPoints {
+    std::vector<bool> taken;
+    bool occupied(std::size_t i) const { return taken[i]; }
+  };
+  const Panels panels = make_box({.size = {10, 10, 1}});
+  Swept rigid(fixtures::surface_of(panels), Unbounded(), 0.1);
+  const auto surface = std::make_shared<DeformingSurface>(Surface(panels));
+  Deforming deforming(surface, 0.1);
+  const auto contacts = [&](const Slots& points) {
+    surface->move(panels.vertices);
+    std::vector<DeformingContact> found;
+    deforming.detect(points, found);
+    std::vector<Contact> with_rigid;
+    rigid.detect(points, fixtures::at_rest(), 0, with_rigid);
+    return std::pair(with_rigid.size(), found.size());
+  };
+  Slots points;
+  points.x0 = points.x1 = {{0, 0, 3}, {0, 0, 1}};
+  points.taken = {true, false};
+  CHECK(contacts(points) == std::pair(std::size_t{0}, std::size_t{0}));
+  points.taken[1] = true;
+  points.x1[1].z = 0.2;
+  rigid.moved(1), deforming.moved(1);
+  CHECK(contacts(points) == std::pair(std::size_t{1}, std::size_t{1}));
 }

@@ -51,7 +51,7 @@ struct Shower {
                                      [&](const Contact& contact, const Vec3d& given) {
                                        for (Gauge& gauge : gauges) gauge.add(contact, points.position_t1(contact.point), given, motion);
                                      });
-      impulse += sum.impulse, angular_impulse += sum.angular_impulse_about_com, contacts += sum.contacts;
+      impulse += sum.impulse, angular_impulse += sum.angular_impulse, contacts += sum.contacts;
     }
   }
 };

@@ -67,7 +67,7 @@ Drift drift(double dt, double time, double friction) {
     predict(points, dt);
     const ContactSum sum = respond(points, detect(detector, points, motion, body.travel_bound(motion, radius)), motion, body, friction);
     result.contacts += sum.contacts;
-    exchanged += norm(sum.impulse), turned += norm(sum.angular_impulse_about_com);
+    exchanged += norm(sum.impulse), turned += norm(sum.angular_impulse);
   }
   result.linear = norm(momentum(points) + body.momentum() - linear) / exchanged;
   result.angular = norm(angular_momentum(points) + body.angular_momentum({}) - angular) / turned;
@@ -100,7 +100,7 @@ TEST_CASE("respond: a frictionless sphere gets no torque, friction gives it one"
       const Motion motion = body.advance(2e-3);
       predict(points, 2e-3);
       const ContactSum sum = respond(points, detect(detector, points, motion), motion, body, friction);
-      turned += norm(sum.angular_impulse_about_com), pushed += norm(sum.impulse);
+      turned += norm(sum.angular_impulse), pushed += norm(sum.impulse);
     }
     CHECK(pushed > 100);
     if (friction == 0)
