@@ -54,7 +54,7 @@ def installed(test):
     prefix = test.folder / "prefix"
     subprocess.run(["cmake", "--install", build, "--component", "python", "--prefix", prefix], check=True, capture_output=True)
     (folder,) = prefix.glob("lib/python3*/*-packages")
-    test.assertEqual(sorted(p.name for p in (folder / "perimpact").iterdir() if p.suffix != ".so"), ["__init__.py", "__init__.pyi", "fccda.py", "fccda.pyi", "frd.py", "modes.py", "py.typed"])
+    test.assertEqual(sorted(p.name for p in (folder / "perimpact").iterdir() if p.suffix != ".so"), ["__init__.py", "__init__.pyi", "fccda.py", "fccda.pyi", "frd.py", "modes.py", "py.typed", "results.py"])
     code = "import perimpact; print(perimpact.__version__, perimpact.Mesh.box([1, 1, 1], 1), perimpact.__file__)"
     environment = {**test.environment, "PYTHONPATH": str(folder)}
     printed = subprocess.run([sys.executable, "-c", code], env=environment, cwd=test.folder, capture_output=True, text=True, check=True).stdout
