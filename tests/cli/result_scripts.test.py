@@ -1,4 +1,4 @@
-"""The scripts that read results folders: scripts/results and cases/*/*.py."""
+"""Results folders as scripts read them: names of files, scripts/results and cases/*/*.py."""
 
 import os
 import shutil
@@ -27,6 +27,13 @@ def script(t, path, *words, **variables):
 def side_by_side(call, items):
     with ThreadPoolExecutor(2) as pool:
         return dict(zip(items, pool.map(call, items)))
+
+
+@claim("results: a line is named by its time, without the rounding of step times dt")
+def lines(t):
+    times = ("along_y: {body: plate,", "along_y: {times: [1.3 us, 2.6 us, 5.1 us, 5.2 us], body: plate,")
+    t.expect_success("run", t.deck(("{end: 20 us}", "{end: 5.2 us, step: 0.1 us}"), times), "--out", "r", "--no-report")
+    t.assertEqual([name for name in t.files("r") if name.startswith("lines/")], [f"lines/along_y_t{time}e-06.csv" for time in (1.3, 2.6, 5.1, 5.2)])
 
 
 @claim("scripts: every script of a case that is run explains itself with --help")

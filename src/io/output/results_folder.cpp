@@ -71,6 +71,7 @@ fs::path ResultsFolder::checkpoint_in(const fs::path& folder, int age) {
   return folder / (age == 0 ? std::string("checkpoint.h5") : fmt::format("checkpoint_{}.h5", age));
 }
 
-std::string ResultsFolder::line_file(std::string_view name, double time) { return fmt::format("lines/{}_t{}.csv", name, time); }
+/// Ten digits: fewer would be the same for successive steps of a long run, more would show the rounding of step times dt.
+std::string ResultsFolder::line_file(std::string_view name, double time) { return fmt::format("lines/{}_t{:.10g}.csv", name, time); }
 
 }  // namespace perimpact::output
