@@ -1,7 +1,7 @@
 #!/usr/bin/python3
 """Draws the figures of this case:
 
-    PYTHONPATH=build/release/python cases/hull_panel/figures.py OUT      OUT: the folder of impacts.py; with moving.npz of verify.py; writes figures/*.png beside this script
+    PYTHONPATH=build/release/python cases/hull_panel/figures.py RESULTS      the folder of impacts.py; with moving.npz of verify.py; writes figures/*.png beside this script
 
 impacts      force, deflection and stress against time, of the rigid panel, the modal one and the finite elements
 panel        the panel and the ice at the largest deflection
@@ -9,7 +9,7 @@ moving_load  deflection of the panel under a moving load, by finite elements and
 bars         the pulse in both bars
 """
 
-import argparse
+import sys
 from pathlib import Path
 
 import matplotlib
@@ -21,6 +21,10 @@ import numpy as np  # noqa: E402
 from mpl_toolkits.mplot3d.art3d import Poly3DCollection  # noqa: E402
 
 CASE = Path(__file__).resolve().parent
+sys.path.insert(0, str(CASE.parents[1] / "scripts/results"))
+from interval_means import window_means  # noqa: E402
+from results_folder import file_in, options, run  # noqa: E402
+
 PANELS = (("rigid", "rigid", "#b3312c", "-"), ("modal", "240 modes", "#e8b04a", "-"), ("finite", "finite elements", "#12355b", "--"))
 WINDOW = 2e-4  # [s]
 
@@ -33,18 +37,14 @@ def save(figure, name):
 
 def smooth(found):
     """Middles of windows [s] and the mean force in them [N]."""
-    times, force = found["time"], found["force"]
-    impulse = np.concatenate([[0], np.cumsum(force * np.diff(times, prepend=0))])
-    ends = np.arange(WINDOW, times[-1], WINDOW / 4)
-    at = np.concatenate([[0], times])
-    return ends - WINDOW / 2, (np.interp(ends, at, impulse) - np.interp(ends - WINDOW, at, impulse)) / WINDOW
+    return window_means(found["time"], found["force"], WINDOW)
 
 
 def draw_impacts(results):
     figure, axes = plt.subplots(2, 3, figsize=(12, 6.4), layout="constrained")
     for row, (name, title, end) in zip(axes, (("sphere", "sphere, 1 m/s", 14), ("floe", "floe, 3 m/s", 16))):
         for panel, label, colour, style in PANELS:
-            found = np.load(results / f"{name}_{panel}.npz")
+            found = np.load(file_in(results, f"{name}_{panel}.npz", "impacts.py"))
             times, force = smooth(found)
             row[0].plot(1e3 * times, force / 1e3, color=colour, ls=style, lw=3 if panel == "modal" else 1.3, label=label)
             row[1].plot(1e3 * found["times"], 1e3 * found["deflection"], color=colour, ls=style, lw=3 if panel == "modal" else 1.3)
@@ -65,7 +65,7 @@ def draw_panel(results):
     model = Model()
     figure = plt.figure(figsize=(12, 5.4), layout="constrained")
     for place, name in enumerate(("sphere", "floe")):
-        found = np.load(results / f"{name}_finite.npz")
+        found = np.load(file_in(results, f"{name}_finite.npz", "impacts.py"))
         axis = figure.add_subplot(1, 2, 1 + place, projection="3d", computed_zorder=False)
         u = found["picture_u"]
         stress = model.shell.von_mises(u) / 1e6
@@ -88,7 +88,7 @@ def draw_panel(results):
 
 
 def draw_moving_load(results):
-    found = np.load(results / "moving.npz")
+    found = np.load(file_in(results, "moving.npz", "verify.py"))
     times, points = 1e3 * found["times"], found["points"]
     figure, axis = plt.subplots(figsize=(9, 3.8), layout="constrained")
     for place, colour, label in (((0.0, 0.0), "#12355b", "middle of the middle bay"), ((0.0, 0.2), "#b3312c", "on a frame")):
@@ -117,9 +117,7 @@ def draw_bars():
 
 
 def main():
-    arguments = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
-    arguments.add_argument("results", metavar="OUT", type=Path)
-    results = arguments.parse_args().results
+    results = options(__doc__).parse_args().results
     draw_impacts(results)
     draw_panel(results)
     draw_moving_load(results)
@@ -127,4 +125,4 @@ def main():
 
 
 if __name__ == "__main__":
-    main()
+    run(main)

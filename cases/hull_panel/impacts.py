@@ -42,6 +42,7 @@ def ice_floe(speed=3.0, spacing=0.04):
 
 
 ICE = {"sphere": ice_sphere, "floe": ice_floe}
+PANELS = "rigid", "modal", "finite"
 
 
 def setup_of(name, model, panel, modes_file=None):
@@ -199,14 +200,16 @@ def report(name, panel, found):
 def main():
     arguments = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
     arguments.add_argument("folder", metavar="OUT", type=Path)
-    arguments.add_argument("words", nargs="*", choices=[*ICE, "rigid", "modal", "finite", []], metavar="WORD", help="of the ice, or a panel; all where nothing is given")
+    arguments.add_argument("words", nargs="*", metavar="WORD", help=f"of {', '.join([*ICE, *PANELS])}; all where nothing is given")
     given = arguments.parse_args()
+    for word in set(given.words) - {*ICE, *PANELS}:
+        arguments.error(f"{word} is none of {', '.join([*ICE, *PANELS])}")
     perimpact.use_threads(1)
     folder, words = given.folder, given.words
     folder.mkdir(parents=True, exist_ok=True)
     model = Model()
     for name in [word for word in words if word in ICE] or ICE:
-        for panel in [word for word in words if word not in ICE] or ["rigid", "modal", "finite"]:
+        for panel in [word for word in words if word in PANELS] or PANELS:
             report(name, panel, run(name, panel, model, folder))
 
 

@@ -42,11 +42,11 @@ class Named(dict):
         refuse(f"{self.owner} has no {name}; give the results of a deck that this script is for.")
 
 
-def file_in(folder, name):
+def file_in(folder, name, writer="perimpact run"):
     """Path of a file of a results folder."""
     path = Path(folder) / name
     if not path.is_file():
-        refuse(f"{folder} has no {name}; give a results folder written by perimpact run.")
+        refuse(f"{folder} has no {name}; give a results folder written by {writer}.")
     return path
 
 

@@ -1,9 +1,11 @@
 """Results folders as scripts read them: names of files, scripts/results and cases/*/*.py."""
 
+import importlib.util
 import os
 import shutil
 import subprocess
 import sys
+import unittest
 from concurrent.futures import ThreadPoolExecutor
 from pathlib import Path
 
@@ -11,7 +13,7 @@ ROOT = Path(__file__).resolve().parents[2]
 sys.path[:0] = [str(ROOT / "scripts/results"), str(Path(__file__).resolve().parent)]
 from claims import DECK, claim, main  # noqa: E402
 
-COUPLED = {"hull_panel/bar.py", "hull_panel/impacts.py", "hull_panel/solid.py", "hull_panel/verify.py", "hull_panel/figures.py"}  # need dolfinx or the package of Python
+COUPLED = {"hull_panel/bar.py", "hull_panel/impacts.py", "hull_panel/solid.py"}  # need dolfinx or the package of Python
 ONE_FOLDER = ["crack_branching/figures", "crack_branching/measure", "floating_strip/figure", "floating_strip/measure", "ice_paddle/figure", "ice_specimens/figures",
               "ice_specimens/measure", "ice_sphere/figures", "ice_sphere/measure", "kalthoff_winkler/figures", "kalthoff_winkler/measure", "plate_impact/table",
               "propeller_ice/figures", "propeller_ice/measure", "propeller_ice/table", "ship_ice/compare", "ship_ice/contributions", "ship_ice/figures", "ship_ice/measure",
@@ -22,6 +24,12 @@ ONE_FOLDER = ["crack_branching/figures", "crack_branching/measure", "floating_st
 def script(t, path, *words, **variables):
     environment = {**os.environ, "PYTHONDONTWRITEBYTECODE": "1", "LC_ALL": "C.UTF-8", **variables}
     return subprocess.run([sys.executable, ROOT / path, *words], cwd=t.folder, env=environment, capture_output=True, text=True, check=False)
+
+
+def needs(*modules):
+    for name in modules:
+        if importlib.util.find_spec(name) is None:
+            raise unittest.SkipTest(f"{name} is not installed")
 
 
 def side_by_side(call, items):
@@ -38,6 +46,7 @@ def lines(t):
 
 @claim("scripts: every script of a case that is run explains itself with --help")
 def helps(t):
+    needs("matplotlib", "scipy")
     names = [str(path.relative_to(ROOT / "cases")) for path in sorted((ROOT / "cases").glob("*/*.py")) if "\nmain()\n" in path.read_text() or "__main__" in path.read_text()]
     t.assertGreater(len(names), 30)
     for name, said in side_by_side(lambda name: script(t, f"cases/{name}", "--help"), [name for name in names if name not in COUPLED]).items():
@@ -47,6 +56,7 @@ def helps(t):
 
 @claim("scripts: a folder that is missing, and the results of another deck, end every script of a case with 2 and one sentence")
 def refused(t):
+    needs("matplotlib", "scipy")
     (t.folder / "other.yaml").write_text(DECK.replace("plate", "slab").replace("cylinder:", "roller:", 1))
     t.expect_success("run", "other.yaml", "--out", "other", "--no-report")
     jobs = [(name, folder) for name in ONE_FOLDER for folder in ("nowhere", "other")]
@@ -59,6 +69,7 @@ def refused(t):
 
 @claim("scripts: a mean over a window weights rows by their length, and belongs to the middle of the window")
 def windows(t):
+    needs("numpy")
     import numpy as np
     from interval_means import mean, window_means
 
@@ -153,6 +164,7 @@ exec(compile(Path(sys.argv[0]).read_text(), sys.argv[0], "exec"))
 
 @claim("scripts: paraview_pictures.py draws any frames: thinned ones, those without impactors, and those of a run that has not ended")
 def pictures(t):
+    needs("numpy")
     (t.folder / "paraview.py").write_text(PARAVIEW.format(scripts=str(ROOT / "scripts/results")))
     draw = lambda *words: script(t, t.folder / "paraview.py", ROOT / "scripts/results/paraview_pictures.py", *words)  # noqa: E731
     breaks = ("density: 8000 kg/m3}", "density: 8000 kg/m3, critical_stretch: 0.0001}")
