@@ -93,7 +93,7 @@ def draw_crushed(results):
         for name, label, colour in runs:
             times, steps, force, mass, speed, *_ = plate_force(results / name)
             first = np.flatnonzero(force > 0)[0]
-            middles, means = window_means(times, force, WINDOW)
+            middles, means = window_means(times, force, WINDOW, is_zero_before=True)
             axis.plot(1e3 * (middles - times[first] + steps[first]), means / 1e6, color=colour, label=label)
         for multiple, style in ((1, ":"), (3, "--")):
             theory = plastic_sphere(mass, speed, multiple * STRENGTH, 20e-3)

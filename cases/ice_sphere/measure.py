@@ -60,7 +60,7 @@ def measure(folder):
     duration = times[in_contact[-1]] - begin
     body = report["bodies"]["ice"]
     intact = body["intact_bonds"] == body["bonds"]
-    middles, smooth = window_means(times, force, WINDOW)
+    middles, smooth = window_means(times, force, WINDOW, is_zero_before=True)
     smooth_at = middles[smooth.argmax()] - begin
     kinetic = 0.5 * mass * speed**2
     found = {

@@ -43,7 +43,7 @@ def forces(column):
     named = {"thrust": "shaft.force_x [N]", "torque": "shaft.torque [N m]"}
     named |= {f"spindle torque {blade}": f"blade_{blade}.torque [N m]" for blade in BLADES}
     for name, what in named.items():
-        _, means = window_means(times, column[f"propeller.{what}"], WINDOW)
+        _, means = window_means(times, column[f"propeller.{what}"], WINDOW, is_zero_before=True)
         found[f"{name}: peak {what[what.index('['):]}"] = means[np.argmax(np.abs(means))]
         if name in ("thrust", "torque"):
             found[f"{name}: mean {what[what.index('['):]}"] = 0.9 * impulses(times, column[f"propeller.{what}"])[-1] / duration

@@ -13,8 +13,9 @@ def mean(time, values):
     return impulses(time, values)[-1] / np.ptp(time)
 
 
-def window_means(time, values, width):
-    """Means over windows of that width [s] that end at rows, and the middle [s] of each window; both empty where all rows are shorter than a window."""
+def window_means(time, values, width, is_zero_before=False):
+    """Means over windows of that width [s] that end at rows, and the middle [s] of each window. Windows begin at the first row or later; where the values are zero
+    before it, as the force of an impact, earlier too."""
     sums = impulses(time, values)
-    ends = time[time >= time[0] + width * (1 - 1e-9)]
+    ends = time[1:] if is_zero_before else time[time >= time[0] + width * (1 - 1e-9)]
     return ends - width / 2, (np.interp(ends, time, sums) - np.interp(ends - width, time, sums)) / width

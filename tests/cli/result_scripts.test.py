@@ -88,6 +88,8 @@ def windows(t):
     t.assertEqual(list(middles), [*range(1, 10), 9.1])
     t.assertAlmostEqual(means[-1], 2.1 / 2, delta=1e-12)
     t.assertEqual(len(window_means(time, rows, 20.0)[0]), 0)
+    middles, means = window_means(time, rows, 2.0, is_zero_before=True)
+    t.assertEqual([*zip(middles, means)][:3], [(0, 0.5), (1, 1), (2, 1)])
 
 
 @claim("scripts: statistics of a load leave the results folder as it is, and come from the program of PERIMPACT, of PATH, or of the build")
