@@ -124,7 +124,7 @@ class Results:
 
     @property
     def lines(self) -> dict[str, dict[float, dict[str, np.ndarray]]]:
-        """Displacements along lines: {line: {time [s]: {column: array}}}, such as "displacement_y [m]"."""
+        """Displacements along lines: {line: {time [s]: {column: array}}}, such as "displacement_y [m]". Times have ten digits."""
         lines = {}
         for path in (self.folder / "lines").glob("*_t*.csv"):
             name, time = path.stem.rsplit("_t", 1)
