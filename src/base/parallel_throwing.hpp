@@ -47,4 +47,12 @@ void parallel_for_uneven_throwing(std::ptrdiff_t count, const Body& body) {
   failure.rethrow();
 }
 
+/// Calls f(first, last) for blocks of [0, count), as parallel_for_blocks().
+template <class F>
+void parallel_for_blocks_throwing(std::size_t count, std::size_t block, const F& f) {
+  FirstFailure failure;
+  parallel_for_blocks(count, block, [&](std::size_t first, std::size_t last) { failure.guard([&] { f(first, last); }); });
+  failure.rethrow();
+}
+
 }  // namespace fccda

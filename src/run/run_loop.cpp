@@ -121,7 +121,7 @@ void RunLoop::fail(const fccda::RunError& error, bool can_be_resumed) {
     sentence += fmt::format(" The last checkpoint is at step {}{}", *last, can_be_resumed ? "; resume from it with " + resume_ : ".");
   try {  // of several ranks perhaps only this one has failed: then nothing can be gathered, and the results remain as they are
     if (simulation_.ranks().size() == 1) results_->finish(simulation_, Outcome::failed, sentence, seconds());
-  } catch (const fccda::RunError&) {
+  } catch (const std::exception&) {  // the files, or the memory that they take, are what lacks
     // nothing more can be written; the first error is the one to report
   }
   results_.reset();

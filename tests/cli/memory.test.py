@@ -198,6 +198,22 @@ def wait_until(is_so):
         time.sleep(0.05)
 
 
+@claim("memory: a run whose rubble does not fit below the limit of ulimit ends with a sentence that names the step, wherever memory lacks")
+def _(t):
+    text = (f"title: Rubble\ntime: {{end: 60 us, step: 0.5 us}}\noutput: {{frames: 1, folder: r}}\nbodies: {{b: {{{box(40, 40, 40)}, "
+            f"material: {{{MATERIAL['elastic']}, critical_stretch: 1e-8}}, failure: {{compression: symmetric}}}}}}\n"
+            "impactors: {s: {surface: {box: {size: [0.1, 0.1, 0.1], edge_length: 0.02}}, mass: 1, position: [0, 0, 0.2501], velocity: [0, 0, -1000]}}\n"
+            "contact: {fragments: {law: repulsive, friction: 0.1}}\n")  # fmt: skip
+    (t.folder / "deck.yaml").write_text(text)
+    failed = 0
+    for limit in range(170, 300, 20):
+        done = t.run_program("run", "deck.yaml", "--threads", "2", "--no-report", "--force", limits={resource.RLIMIT_AS: limit * 10**6})
+        if done.code != 0:
+            t.expect_complaint(done, 3, "After step ", "there is not enough memory; use a machine with more of it, or a larger spacing.")
+            failed += 1
+    t.assertGreater(failed, 2)
+
+
 @claim("memory: a run that needs 500 MB in a control group of 300 MB is refused in a sentence")
 def _(t):
     with control_group(t, 300 * 2**20) as group:

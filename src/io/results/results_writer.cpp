@@ -43,8 +43,6 @@ double time_of(long step, const Clock& clock) { return static_cast<double>(step)
 
 FrameFormat format_of(const Simulation& simulation) { return simulation.setup().output.frame_format.as<FrameFormat>(); }
 
-long step_of_frame(int frame, int frames, long steps) { return std::lround(static_cast<double>(steps) * frame / frames); }
-
 /// Frames of a series that the run will have at its end: those written by the run that is resumed, if any, and those due after the current step.
 std::size_t planned_frames(const Simulation& simulation, const Written* written) {
   const int frames = simulation.setup().output.frames;
@@ -213,6 +211,8 @@ Written ResultsWriter::written() {
   written.resumed_at = resumed_at_;
   return written;
 }
+
+long step_of_frame(int frame, int frames, long steps) { return std::lround(static_cast<double>(steps) * frame / frames); }
 
 void ResultsWriter::skip_frames_until(long step, const Clock& clock) {
   // where more frames are requested than there are steps, one frame counts for several

@@ -6,7 +6,7 @@
 #include <utility>
 
 #include "base/freed_memory.hpp"
-#include "base/parallel.hpp"
+#include "base/parallel_throwing.hpp"
 
 namespace perimpact {
 
@@ -222,7 +222,7 @@ void NearPairs::make(std::span<const ContactingBody> bodies) {
     std::array<std::uint32_t, block> counts{};
   };
   std::vector<Part> parts((particles_.size() + block - 1) / block);
-  fccda::parallel_for_blocks(particles_.size(), block, [&](std::size_t first, std::size_t last) {
+  fccda::parallel_for_blocks_throwing(particles_.size(), block, [&](std::size_t first, std::size_t last) {
     Part& part = parts[first / block];
     std::vector<Found> found;
     for (std::size_t p = first; p < last; ++p) {

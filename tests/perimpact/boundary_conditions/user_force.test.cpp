@@ -4,7 +4,6 @@
 
 #include <cmath>
 #include <functional>
-#include <limits>
 #include <string>
 #include <utility>
 #include <vector>
@@ -55,11 +54,11 @@ TEST_CASE("user force: it is evaluated at t = 0 and once per step, on a force de
   CHECK(changed_before == 0);
 }
 
-TEST_CASE("user force: one that is not a number ends the run at the next row, with the particle and the last valid step") {
+TEST_CASE("user force: one that makes the energy overflow ends the run at the next row, with the last valid step") {
   Setup setup = block();
   setup.output.history_interval = setup.time.end / 20;
   Simulation simulation = made(setup, [&](double time, const Body& body, VectorArray& density) {
-    if (time > 0.3 * setup.time.end) density.set(body.particles.slot_of()[5], {0, std::numeric_limits<double>::quiet_NaN(), 0});
+    if (time > 0.3 * setup.time.end) density.set(body.particles.slot_of()[5], {0, 1e300, 0});
   });
   std::string sentence;
   try {
@@ -68,7 +67,7 @@ TEST_CASE("user force: one that is not a number ends the run at the next row, wi
     sentence = error.what();
   }
   CAPTURE(sentence);
-  CHECK(sentence.find("particle 5 of block has a position or force that is not a number. Output up to step ") != std::string::npos);
+  CHECK(sentence.find(" not a number. Output up to step ") != std::string::npos);
   CHECK(sentence.ends_with(" is valid; use a smaller time step."));
   CHECK(simulation.clock().time() < 0.4 * setup.time.end);
 }

@@ -467,7 +467,7 @@ TEST_CASE("moving window: what cannot move is refused with its reason") {
   refused(
       [](Setup& s) {
         FloatingSetup part;
-        part.particle_set = "part";
+        part.particle_set = "part", part.level = 0;
         s.bodies[0].particle_sets = {{.name = "part", .shape = BoxSolid{{0.01, 1, 1}}}};
         s.bodies[0].boundary_conditions = {{"sea", part}};
       },

@@ -49,7 +49,7 @@ void UserForce::apply_load(Particles& particles, const fccda::Step& next) {
     throw fccda::RunError(
         fmt::format("At {:.6g} s the user force {} is not finite on {} particles; check the function that computes it.", next.t0, name_, sums.not_finite));
   if (sums.out_of_plane > 0)
-    throw fccda::RunError(
+    throw fccda::InputError(
         fmt::format("the user force {} acts along z on {} particles, but the body is 2-D; set its z component to 0.", name_, sums.out_of_plane));
   squared_force_per_density_ = sums.squared;
   account.record_force(sums.force, {});

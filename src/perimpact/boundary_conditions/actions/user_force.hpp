@@ -27,7 +27,7 @@ class UserForce {
 
   std::span<const std::uint32_t> slots() const { return slots_; }
 
-  /// Adds the user force to the force densities at the beginning of the next step. Throws RunError if it is not finite, or has
+  /// Adds the user force to the force densities at the beginning of the next step. Throws RunError if it is not finite, InputError if it has
   /// a z component in a plane body.
   void apply_load(Particles& particles, const fccda::Step& next);
 
