@@ -36,7 +36,7 @@ class Swept final : public SlidingSurface {
   Swept(std::shared_ptr<const Surface> surface, const ContactBounds& region, double radius) : Swept(share(std::move(surface)), region, radius) {}
 
   /// Relative rounding of the stored coordinates of relocated points, if above that of doubles (2^-24 for floats): relocated points keep a
-  /// correspondingly larger distance from the surface.
+  /// correspondingly larger distance from the surface, the offset. It must be small against the contact radius: the plain calls refuse more than a tenth.
   void set_rounding(double of_coordinates) { rounding_ = of_coordinates; }
 
   /// [m] what relocation adds to the contact radius, and the contact test subtracts from it, in a step of this motion.
