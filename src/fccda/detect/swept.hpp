@@ -211,7 +211,11 @@ class Swept final : public SlidingSurface {
     cache_.update_block(b);
   }
 
-  double look_ahead(double travel) const { return look_ahead_factor * step_.approach(travel); }
+  // Without a limit where the travel of a block is not a number: a search up to that finds nothing, also for the other points of the block.
+  double look_ahead(double travel) const {
+    const double ahead = look_ahead_factor * step_.approach(travel);
+    return ahead >= 0 ? ahead : Bvh::no_cap;
+  }
   void begin_step(std::size_t point_count, double largest_radius, const Motion& motion);
   void begin_again(double largest_radius, const Motion& motion);
   void measure(double largest_radius, const Motion& motion);
