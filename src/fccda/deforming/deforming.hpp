@@ -190,7 +190,11 @@ class Deforming final : public SlidingSurface {
     cache_.update_block(b);
   }
 
-  double look_ahead(double travel) const { return look_ahead_factor * (travel + surface_->travel()); }
+  // Without a limit where the travel of a block is not a number, as Swept.
+  double look_ahead(double travel) const {
+    const double ahead = look_ahead_factor * (travel + surface_->travel());
+    return ahead >= 0 ? ahead : Bvh::no_cap;
+  }
   bool is_inside(const Vec3d& point, double radius) const;
   void begin_step();
   void begin_again();

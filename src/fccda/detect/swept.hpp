@@ -36,7 +36,7 @@ class Swept final : public SlidingSurface {
   Swept(std::shared_ptr<const Surface> surface, const ContactBounds& region, double radius) : Swept(share(std::move(surface)), region, radius) {}
 
   /// Relative rounding of the stored coordinates of relocated points, if above that of doubles (2^-24 for floats): relocated points keep a
-  /// correspondingly larger distance from the surface.
+  /// correspondingly larger distance from the surface, the offset. It must be small against the contact radius: the plain calls refuse more than a tenth.
   void set_rounding(double of_coordinates) { rounding_ = of_coordinates; }
 
   /// [m] what relocation adds to the contact radius, and the contact test subtracts from it, in a step of this motion.
@@ -211,7 +211,11 @@ class Swept final : public SlidingSurface {
     cache_.update_block(b);
   }
 
-  double look_ahead(double travel) const { return look_ahead_factor * step_.approach(travel); }
+  // Without a limit where the travel of a block is not a number: a search up to that finds nothing, also for the other points of the block.
+  double look_ahead(double travel) const {
+    const double ahead = look_ahead_factor * step_.approach(travel);
+    return ahead >= 0 ? ahead : Bvh::no_cap;
+  }
   void begin_step(std::size_t point_count, double largest_radius, const Motion& motion);
   void begin_again(double largest_radius, const Motion& motion);
   void measure(double largest_radius, const Motion& motion);

@@ -44,7 +44,8 @@ namespace fccda {
 struct ContactSum {
   Vec3d impulse{};  ///< [N s]
   /// [N m s] at a rigid body about the centre of mass of the RigidBody that respond() was given, where that is now; at a deforming surface about the
-  /// origin of the world frame.
+  /// origin of the world frame. For a body that the program moves itself give respond() one with its centre of mass at Motion::centre and its pose at t1;
+  /// fccda_respond() in C without a body does so.
   Vec3d angular_impulse{};
   std::size_t contacts = 0;  ///< number of contacts
 

@@ -2,6 +2,7 @@
 
 #include <doctest/doctest.h>
 
+#include <limits>
 #include <map>
 #include <random>
 #include <vector>
@@ -344,4 +345,22 @@ TEST_CASE("deforming: a step of the surface without a detection is noticed") {
   move(0.9);
   move(1.2);  // a travel of 0.3
   CHECK(deforming::detect(detector, points).size() == 1);
+}
+
+TEST_CASE("deforming: positions that are not numbers have no contact and do not affect other points") {
+  const Panels ball = fixtures::sphere();
+  const double nan = std::numeric_limits<double>::quiet_NaN(), inf = std::numeric_limits<double>::infinity();
+  TestPoints points;
+  points.x0 = {{nan, 0, 0}, {0, 0, 0.6}, {0.6, 0, 0}, {inf, 0, 0}, {0.6, 0, 0}, {1e300, 0, 0}};
+  points.x1 = {{0, 0, 0}, {0, nan, 0}, {0.4, 0, 0}, {0, 0, 0}, {-inf, 0, 0}, {0, 1e300, 0}};
+  for (const double r : {0.0, 0.01}) {
+    const auto surface = std::make_shared<DeformingSurface>(Surface(ball));
+    Deforming detector(surface, r);
+    for (int step = 0; step < 3; ++step) {
+      surface->move(ball.vertices);
+      const std::vector<DeformingContact> contacts = detect(detector, points);
+      REQUIRE(contacts.size() == 1);
+      CHECK(contacts[0].contact.point == 2);
+    }
+  }
 }
