@@ -185,6 +185,9 @@ void Run::run(std::optional<double> until, const py::object& after_steps, long e
   if (every < 1) throw InputError(fmt::format("every is {}, but it must be a number of steps, at least 1.", every));
   if (until && std::isnan(*until)) throw InputError("until is nan, but it must be a time [s].");
   expect_usable();
+  // With results, a signal that comes while the callback runs leaves a checkpoint, too; SIGINT raises KeyboardInterrupt within it.
+  std::optional<StopSignals> signals;
+  if (folder_) signals.emplace(StopSignals::Interrupts::left);
   long called_at = simulation_->clock().step;
   while (!is_there(until)) {
     const long to_call = called_at + every - simulation_->clock().step;
@@ -192,6 +195,7 @@ void Run::run(std::optional<double> until, const py::object& after_steps, long e
     if (after_steps.is_none() || simulation_->clock().step < called_at + every) continue;
     called_at = simulation_->clock().step;
     const py::object go_on = after_steps(self);
+    if (StopSignals::pending() != 0) throw_if_interrupted();
     if (!go_on.is_none() && !py::bool_(go_on)) return;
   }
 }
@@ -211,7 +215,7 @@ void Run::advance(std::optional<double> until, long most) {
 void Run::take_steps(std::optional<double> until, long most) {
   // User forces run Python code, in which Python's handler would raise KeyboardInterrupt and leave the step incomplete. So signals are recorded
   // during steps, and handed to Python between them.
-  const StopSignals signals(StopSignals::SecondInterrupt::recorded);
+  const StopSignals signals(StopSignals::Interrupts::recorded);
   const Turns::Step step(turns_);
   const py::gil_scoped_release release;
   const auto leave_at = std::chrono::steady_clock::now() + between_looks_for_signals;
@@ -255,6 +259,7 @@ void Run::throw_if_interrupted() {
   if (signal != 0 && signal != SIGINT) {  // Python would end at once
     loop_->interrupt();
     folder_.reset();
+    std::signal(signal, SIG_DFL);  // as it was, but run() may still record it
     std::raise(signal);
   }
   if (signal == SIGINT) PyErr_SetInterrupt();
@@ -313,7 +318,8 @@ void Run::end_failed_results(const std::string& failure) {
     if (!failure.empty()) {
       const double seconds = loop_->seconds();
       loop_.emplace(*simulation_);  // closes the files
-      output::write_whole_file(output::ResultsFolder::run_in(folder.path()), run_report(*simulation_, Outcome::failed, failure, seconds, {}).text());
+      const std::filesystem::path history = output::ResultsFolder::history_in(folder.path());
+      output::write_whole_file(output::ResultsFolder::run_in(folder.path()), run_report(*simulation_, Outcome::failed, failure, seconds, {}, history).text());
     }
     report_on(std::move(folder));
   } catch (const std::exception&) {

@@ -150,7 +150,7 @@ void print_end(const Simulation& simulation, const RunFolder& folder, int signal
 int run_deck(const deck::Deck& deck, const RunFolder& folder, const RunArguments& arguments, std::optional<StopSignals>& signals, Messages& messages,
              Ranks& ranks, const Processor& processor) {
   Simulation simulation = set_up(deck, messages, &folder, ranks, processor);
-  signals.emplace(StopSignals::SecondInterrupt::ends_program);
+  signals.emplace(StopSignals::Interrupts::second_ends_program);
   RunLoop loop(simulation);
   messages.stage("first output frame");
   loop.begin_results(folder);

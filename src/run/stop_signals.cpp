@@ -11,7 +11,7 @@ namespace {
 constexpr std::array handled{SIGINT, SIGTERM, SIGHUP, SIGXCPU, SIGUSR1};
 
 volatile std::sig_atomic_t stop_signal = 0, save_request = 0, second_ends = 0;
-int objects = 0;
+std::array<int, handled.size()> objects{};  // of each signal
 std::array<struct sigaction, handled.size()> former;
 
 extern "C" void record_signal(int signal) {
@@ -29,22 +29,23 @@ bool is_ours(int signal, const struct sigaction& action) { return signal == SIGI
 
 }  // namespace
 
-StopSignals::StopSignals(SecondInterrupt second) {
-  if (objects++ > 0) return;
-  second_ends = second == SecondInterrupt::ends_program;
+bool StopSignals::concerns(int signal) const { return signal != SIGINT || interrupts_ != Interrupts::left; }
+
+StopSignals::StopSignals(Interrupts interrupts) : interrupts_(interrupts) {
   struct sigaction recording {};
   recording.sa_handler = record_signal;
   recording.sa_flags = SA_RESTART;
   for (std::size_t k = 0; k < handled.size(); ++k) {
+    if (!concerns(handled[k]) || objects[k]++ > 0) continue;
+    if (handled[k] == SIGINT) second_ends = interrupts == Interrupts::second_ends_program;
     sigaction(handled[k], nullptr, &former[k]);
     if (is_ours(handled[k], former[k])) sigaction(handled[k], &recording, nullptr);
   }
 }
 
 StopSignals::~StopSignals() {
-  if (--objects > 0) return;
   for (std::size_t k = 0; k < handled.size(); ++k)
-    if (is_ours(handled[k], former[k])) sigaction(handled[k], &former[k], nullptr);
+    if (concerns(handled[k]) && --objects[k] == 0 && is_ours(handled[k], former[k])) sigaction(handled[k], &former[k], nullptr);
 }
 
 int StopSignals::pending() { return stop_signal; }

@@ -10,10 +10,11 @@ namespace perimpact {
 
 class StopSignals {
  public:
-  enum class SecondInterrupt { recorded, ends_program };
-  /// Objects may exist at the same time, created and destroyed one after another.
-  explicit StopSignals(SecondInterrupt second);
-  ~StopSignals();  ///< the last one restores the former actions
+  /// What becomes of SIGINT: recorded; recorded, and the second ends the program; or left as it is.
+  enum class Interrupts { recorded, second_ends_program, left };
+  /// Objects may exist at the same time, the later ones destroyed first.
+  explicit StopSignals(Interrupts interrupts);
+  ~StopSignals();  ///< the last one of a signal restores its former action
   StopSignals(const StopSignals&) = delete;
   StopSignals& operator=(const StopSignals&) = delete;
 
@@ -21,6 +22,10 @@ class StopSignals {
   static int take();              ///< the same; the record is cleared
   static bool save_is_pending();  ///< SIGUSR1
   static bool take_save_request();
+
+ private:
+  bool concerns(int signal) const;
+  Interrupts interrupts_;
 };
 
 }  // namespace perimpact

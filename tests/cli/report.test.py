@@ -128,6 +128,17 @@ def _(t):
     t.assertEqual(report.text.count("A </script>"), 0)
 
 
+@claim("report: run.json has the largest energy balance error of history.csv, and that over the works of contact and of boundary conditions")
+def _(t):
+    held = ("density: 8000 kg/m3}", "density: 8000 kg/m3}\n    boundary_conditions: {side: {fixed: {particle_set: side}}, pull: {body_force: {force_density: [0, 1 GN/m3, 0]}}}\n"
+            "    particle_sets: {side: {shape: {box: {size: [100 mm, 5 mm, 20 mm]}}, position: [0, -27.5 mm, 0]}}")  # fmt: skip
+    t.expect_success("run", t.deck(held), "--out", "r", "--no-report")
+    largest = {name: max(map(abs, values)) for name, values in t.history("r").items()}
+    error, works = largest["total.energy_balance_error [J]"], [largest[f"{name} [J]"] for name in ("cylinder.contact_work", "plate.side.work", "plate.pull.work")]
+    t.assertGreater(min(works[0], works[2]), 0)
+    t.assertEqual(t.report("r")["energy_balance"], {"largest_error [J]": error, "exchanged [J]": sum(works), "relative": error / sum(works)})
+
+
 @claim("report: run writes it at its end and prints the path, --no-report suppresses it, and a new run removes an old one")
 def _(t):
     out = t.expect_success("run", t.deck(), "--out", "r", "--force").out

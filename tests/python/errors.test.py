@@ -247,6 +247,31 @@ except KeyboardInterrupt:
         resumed.close_results()
 
 
+@claim("SIGTERM while the callback of run() works ends the program by the same signal after it, with a checkpoint from which the run resumes")
+def ended_in_callback(test):
+    setup = copy.deepcopy(package.SETUP)
+    setup["time"] = {"end": 4e-3, "step": 2e-7}
+    folder = test.folder / "r"
+    program = f"""
+import os, signal, sys
+sys.path[:0] = {sys.path[:1]!r}
+import perimpact
+signal.signal(signal.SIGTERM, signal.SIG_DFL)
+simulation = perimpact.Simulation({setup!r})
+simulation.write_results({str(folder)!r})
+def callback(simulation):
+    os.kill(os.getpid(), signal.SIGTERM)
+    print("after the signal", flush=True)
+simulation.run(callback=callback, every=7)
+"""
+    done = subprocess.run([sys.executable, "-c", program], capture_output=True, text=True, timeout=60)
+    test.assertEqual((done.returncode, done.stdout, done.stderr), (-signal.SIGTERM, "after the signal\n", ""))
+    resumed = perimpact.Simulation(setup)
+    resumed.write_results(str(folder), resume=True)
+    test.assertEqual(resumed.step_number, 7)
+    resumed.close_results()
+
+
 @claim("SIGINT while a simulation is built raises KeyboardInterrupt once it is built, and nothing is written")
 def interrupted_set_up(test):
     setup = copy.deepcopy(package.SETUP)

@@ -49,7 +49,8 @@ std::size_t planned_frames(const Simulation& simulation, const Written* written)
   if (!written) return frames > 0 ? static_cast<std::size_t>(frames) + 1 : 0;
   std::size_t planned = 0;
   for (const std::vector<double>& times : written->frame_times) planned = std::max(planned, times.size());
-  for (int frame = 0; frames > 0 && frame <= frames; ++frame) planned += step_of_frame(frame, frames, simulation.clock().steps) > simulation.clock().step ? 1 : 0;
+  for (int frame = 0; frames > 0 && frame <= frames; ++frame)
+    planned += step_of_frame(frame, frames, simulation.clock().steps) > simulation.clock().step ? 1 : 0;
   return planned;
 }
 
@@ -269,7 +270,8 @@ void ResultsWriter::finish(Simulation& simulation, Outcome outcome, const std::s
     for (std::size_t i = 0; i < files_->pressure_area.size(); ++i) files_->pressure_area[i].finish(files_->folder, simulation.impactors()[i]);
   for (const Body& body : simulation.bodies())
     if (body.failure) write_last_fragments(files_ ? &files_->folder : nullptr, body);
-  const std::string report = run_report(simulation, outcome, failure, wall_seconds, resumed_at_).text();
+  const std::string report =
+      run_report(simulation, outcome, failure, wall_seconds, resumed_at_, files_ ? files_->folder.history() : std::filesystem::path()).text();
   if (files_) output::write_whole_file(files_->folder.run(), report);  // last: a run is finished once this file says so
 }
 

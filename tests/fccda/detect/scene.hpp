@@ -10,6 +10,7 @@
 #include "fccda/detect/contact.hpp"
 #include "fccda/detect/swept.hpp"
 #include "fccda/rigid_body/pose.hpp"
+#include "fixtures/larger.hpp"
 #include "fixtures/surfaces.hpp"
 #include "mesh/shapes/box.hpp"
 #include "mesh/shapes/cylinder.hpp"
@@ -40,8 +41,7 @@ struct TestPoints {
   std::size_t block_end(std::size_t b) const { return std::min(size(), (b + 1) * block); }
   double block_travel(std::size_t b) const {
     double most = 0;
-    for (std::size_t i = block_begin(b); i < block_end(b); ++i)
-      if (const double way = norm(x1[i] - x0[i]); way > most) most = way;  // not of a position that is not a number
+    for (std::size_t i = block_begin(b); i < block_end(b); ++i) most = fixtures::larger(most, norm(x1[i] - x0[i]));
     return most;
   }
   double mass(std::size_t i) const { return m[i]; }

@@ -97,7 +97,7 @@ TEST_CASE("filling: translation and rotation of a body apply to its added solids
 TEST_CASE("filling: more cells than can be numbered are refused") {
   const BodySetup ball = body_of(SphereSolid{1000}, 0.1);
   CHECK_THROWS_WITH_AS(lattice_that_fills(ball, BodySolid(ball)),
-                       "a spacing of 0.1 m requires 1e+12 cells to fill body ice, more than the maximum of 4.3e+09; increase it.", SetupError);
+                       "a spacing of 0.1 m requires 1e+12 cells to fill body ice, more than the maximum of 2.1e+09; increase it.", SetupError);
 }
 
 TEST_CASE("filling: the volume is known of one solid, and undefined with holes or added solids") {
