@@ -25,7 +25,7 @@ UIKKU = LevelIceRun(
 )  # fmt: skip
 
 # power, diameter of the propeller and speed in open water: README.md
-PROPULSION = {"bollard_pull": bollard_pull(11.4e6, 5.6), "open_water_speed": 8.75, "speed": 3.0}
+PROPULSION = {"bollard_pull": bollard_pull(11.4e6, 5.6), "open_water_speed": 8.75, "speed": 3.8}
 
 
 def tests():

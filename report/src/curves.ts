@@ -110,7 +110,7 @@ export class Curves {
   }
 
   /**
-   * Of each unit the curves of the impactors, then those that vary the most; without those that would be flat beside others, as forces normal to a plane of
+   * Of loads those on impactors, if any; of other units the curves of the impactors, then those that vary the most; without those that would be flat beside others, as forces normal to a plane of
    * symmetry, that would flatten others, as the energy of a ship, or that are nearly a curve before them, as a gauge that takes all of the force.
    */
   private choose(belongs: (column: Column) => boolean): void {
@@ -122,9 +122,12 @@ export class Curves {
     });
     const isOwn = (k: number) => Number(this.impactors.has(ownerOf(this.curves[k].name)) && !this.isGauge(this.curves[k].name));
     for (const [unit, members] of sets) {
-      const widest = Math.max(...members.map((k) => this.curves[k].span));
+      // loads on impactors are those that a run is made for: reactions of boundary conditions would flatten them
+      const onImpactors = members.filter((k) => (unit === "N" || unit === "N m") && this.impactors.has(ownerOf(this.curves[k].name)));
+      const candidates = onImpactors.length > 0 ? onImpactors : members;
+      const widest = Math.max(...candidates.map((k) => this.curves[k].span));
       const shown: number[] = [];
-      for (const k of members.sort((a, b) => isOwn(b) - isOwn(a) || this.curves[b].span - this.curves[a].span)) {
+      for (const k of candidates.sort((a, b) => isOwn(b) - isOwn(a) || this.curves[b].span - this.curves[a].span)) {
         const { span, largest } = this.curves[k];
         if (shown.length < mostAtFirst && span > flat * widest && largest > small * widest && largest < high * widest && !shown.some((other) => this.areAlike(k, other))) shown.push(k);
       }
