@@ -318,8 +318,7 @@ void Run::end_failed_results(const std::string& failure) {
     if (!failure.empty()) {
       const double seconds = loop_->seconds();
       loop_.emplace(*simulation_);  // closes the files
-      const std::filesystem::path history = output::ResultsFolder::history_in(folder.path());
-      output::write_whole_file(output::ResultsFolder::run_in(folder.path()), run_report(*simulation_, Outcome::failed, failure, seconds, {}, history).text());
+      output::write_whole_file(output::ResultsFolder::run_in(folder.path()), run_report(*simulation_, Outcome::failed, failure, seconds, {}).text());
     }
     report_on(std::move(folder));
   } catch (const std::exception&) {

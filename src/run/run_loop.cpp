@@ -9,6 +9,15 @@
 
 namespace perimpact {
 
+namespace {
+
+/// Fragments in contact need more memory than the intact body (docs/guide/cluster.md).
+fccda::RunError out_of_memory(long step) {
+  return fccda::RunError(fmt::format("After step {} there is not enough memory; use a machine with more of it, or a larger spacing.", step));
+}
+
+}  // namespace
+
 using std::chrono::steady_clock;
 
 void RunLoop::begin_results(const RunFolder& folder) {
@@ -59,15 +68,6 @@ Traffic RunLoop::collectives_in_step(const OutputSetup& setup) {
   for (int k = 0; k < questions; ++k) traffic += reduction_of(1);
   return traffic;
 }
-
-namespace {
-
-/// Fragments in contact need more memory than the intact body (docs/guide/cluster.md).
-fccda::RunError out_of_memory(long step) {
-  return fccda::RunError(fmt::format("After step {} there is not enough memory; use a machine with more of it, or a larger spacing.", step));
-}
-
-}  // namespace
 
 void RunLoop::step(const Watch& watch) {
   const long before = simulation_.clock().step;

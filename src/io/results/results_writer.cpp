@@ -270,8 +270,7 @@ void ResultsWriter::finish(Simulation& simulation, Outcome outcome, const std::s
     for (std::size_t i = 0; i < files_->pressure_area.size(); ++i) files_->pressure_area[i].finish(files_->folder, simulation.impactors()[i]);
   for (const Body& body : simulation.bodies())
     if (body.failure) write_last_fragments(files_ ? &files_->folder : nullptr, body);
-  const std::string report =
-      run_report(simulation, outcome, failure, wall_seconds, resumed_at_, files_ ? files_->folder.history() : std::filesystem::path()).text();
+  const std::string report = run_report(simulation, outcome, failure, wall_seconds, resumed_at_).text();
   if (files_) output::write_whole_file(files_->folder.run(), report);  // last: a run is finished once this file says so
 }
 

@@ -2,11 +2,7 @@
 
 #include <fmt/format.h>
 
-#include <algorithm>
 #include <cmath>
-#include <cstdlib>
-#include <fstream>
-#include <sstream>
 
 #include "base/parallel.hpp"
 #include "io/deck/setup_to_text.hpp"
@@ -141,24 +137,12 @@ Json communication_report(const RanksReport& ranks) {
   return json;
 }
 
-/// The largest magnitude of each column of history.csv, of all rows: a run that was resumed continues the file.
-std::vector<double> largest_of(const std::filesystem::path& history, std::size_t columns) {
-  std::vector<double> largest(columns);
-  std::ifstream file(history);
-  std::string line, cell;
-  for (std::getline(file, line); std::getline(file, line);) {
-    std::istringstream row(line);
-    for (double& each : largest)
-      if (std::getline(row, cell, ',')) each = std::max(each, std::abs(std::strtod(cell.c_str(), nullptr)));
-  }
-  return largest;
-}
-
 /// The largest energy balance error, and that over the energy exchanged: the sum of the largest magnitudes of the works of contact and of boundary conditions.
-Json energy_balance_report(std::span<const Column> columns, std::span<const double> largest) {
+Json energy_balance_report(const Monitors& monitors) {
+  const std::span<const double> largest = monitors.largest();
   double error = 0, exchanged = 0;
-  for (std::size_t c = 0; c < columns.size(); ++c) {
-    const std::string& name = columns[c].name;
+  for (std::size_t c = 0; c < largest.size(); ++c) {
+    const std::string& name = monitors.columns()[c].name;
     if (name == "total.energy_balance_error") error = largest[c];
     if (name.ends_with(".contact_work") || name.ends_with(".work")) exchanged += largest[c];
   }
@@ -241,8 +225,7 @@ Json impactors_report(const Simulation& simulation) {
   return json;
 }
 
-Json run_report(Simulation& simulation, Outcome outcome, const std::string& failure, double wall_seconds, std::span<const std::int64_t> resumed_at,
-                const std::filesystem::path& history) {
+Json run_report(Simulation& simulation, Outcome outcome, const std::string& failure, double wall_seconds, std::span<const std::int64_t> resumed_at) {
   const Clock& clock = simulation.clock();
   Json json = Json::object();
   json["program"] = "perimpact " PERIMPACT_VERSION;
@@ -263,8 +246,7 @@ Json run_report(Simulation& simulation, Outcome outcome, const std::string& fail
     json["stability"]["step [s]"] = simulation.stability().step;
     json["stability"]["estimate [s]"] = simulation.stability().estimate;
     if (simulation.stability().exact) json["stability"]["exact [s]"] = *simulation.stability().exact;
-    const std::vector<Column>& columns = simulation.monitors().columns();
-    if (!history.empty()) json["energy_balance"] = energy_balance_report(columns, largest_of(history, columns.size()));
+    json["energy_balance"] = energy_balance_report(simulation.monitors());
   }
   json["bodies"] = bodies_report(simulation);
   if (!simulation.impactors().empty()) json["impactors"] = impactors_report(simulation);

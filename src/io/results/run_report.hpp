@@ -2,7 +2,6 @@
 #pragma once
 
 #include <cstdint>
-#include <filesystem>
 #include <span>
 #include <string>
 
@@ -12,10 +11,8 @@
 
 namespace perimpact {
 
-/// `wall_seconds`: wall-clock time of the run, or since the last restart; `resumed_at`: steps of the restarts; `history`: the path of history.csv, empty
-/// where this process does not write it.
-output::Json run_report(Simulation& simulation, Outcome outcome, const std::string& failure, double wall_seconds, std::span<const std::int64_t> resumed_at,
-                        const std::filesystem::path& history);
+/// `wall_seconds`: wall-clock time of the run, or since the last restart; `resumed_at`: steps of the restarts.
+output::Json run_report(Simulation& simulation, Outcome outcome, const std::string& failure, double wall_seconds, std::span<const std::int64_t> resumed_at);
 
 /// Its members "bodies" and "impactors", by name.
 output::Json bodies_report(const Simulation& simulation);

@@ -232,6 +232,9 @@ void Monitors::make_row(const Scene& scene, const Balance& balance) {
   }
   for (const Probe& probe : probes_)
     add(probe.name, {"displacement", "m", instantaneous, "mean of the particles nearest to the point"}, probe.sample.displacement(scene.bodies[probe.body]));
+  largest_.resize(row_.size());
+  for (std::size_t c = 0; c < row_.size(); ++c)
+    if (const double magnitude = std::fabs(row_[c]); !(magnitude <= largest_[c])) largest_[c] = magnitude;
 }
 
 void Monitors::add_impactor(const Impactor& impactor) {

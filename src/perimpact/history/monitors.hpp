@@ -63,6 +63,8 @@ class Monitors {
   const std::vector<Column>& columns() const { return columns_; }
   std::span<const double> row() const { return row_; }  ///< the latest
   double row_time() const { return row_time_; }         ///< [s] of the latest row
+  /// The largest magnitude of each column so far, of all rows; NaN if one was.
+  std::span<const double> largest() const { return largest_; }
 
   /// See base/state.hpp. Requires the first row.
   template <class Visitor>
@@ -71,6 +73,7 @@ class Monitors {
     visit("first_energy", first_energy_);
     visit("first_balance", first_balance_);
     visit("row", std::span<double>(row_));
+    visit("largest", std::span<double>(largest_));
     visit("sums", std::span<double>(sums_));
     visit("sound_until", sound_until_);
     visit("latest_balance", latest_balance_);
@@ -126,7 +129,7 @@ class Monitors {
   std::vector<Probe> probes_;
   std::vector<double> elastic_, kinetic_;  // [J] of each body, at the sampled step
   std::vector<Column> columns_;
-  std::vector<double> row_;
+  std::vector<double> row_, largest_;
   bool is_first_ = true;
   double first_energy_ = 0;      // [J]
   double first_balance_ = 0;     // [J]

@@ -3,6 +3,7 @@
 #include <cstring>
 #include <map>
 #include <mutex>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -100,6 +101,23 @@ void check_equal(const Whole& a, const Whole& b) {
 constexpr int counts[] = {2, 3, 4, 7, 8};
 constexpr int strips_and_boxes[] = {3, 8};  // divided along one axis, and along two
 
+/// A search for the equilibrium of a plate between two grips, one of which is displaced.
+Setup pulled_plate(const RelaxSetup& relax, std::optional<double> critical_stretch = {}) {
+  BodySetup plate = fixtures::body_setup({.size = {0.040, 0.032, 0.006}, .spacing = 0.002, .poissons_ratio = 0.3, .critical_stretch = critical_stretch});
+  SolidSetup low, high;
+  low.name = "low", low.shape = BoxSolid{{0.1, 0.007, 0.1}}, low.position = {0, -0.014, 0};
+  high.name = "high", high.shape = BoxSolid{{0.1, 0.007, 0.1}}, high.position = {0, 0.014, 0};
+  plate.particle_sets = {low, high};
+  DisplacementSetup up;
+  up.displacement = 2e-5;
+  plate.boundary_conditions = {{"grip", FixedSetup{.particle_set = "low"}}, {"pull", PrescribedSetup{.particle_set = "high", .y = up}}};
+  Setup setup;
+  setup.time.end = 1;
+  setup.time.relax = relax;
+  setup.bodies = {plate};
+  return setup;
+}
+
 }  // namespace
 
 TEST_CASE("ranks: particles, bonds and a free impactor with friction are bitwise those of one rank, for every elastic material and correction that breaks") {
@@ -179,21 +197,8 @@ TEST_CASE("ranks: material that yields under pressure flows as with one rank") {
 }
 
 TEST_CASE("ranks: equilibria under prescribed displacements and pressure, with bonds that break, are those of one rank") {
-  fixtures::BodyOptions options{.size = {0.040, 0.032, 0.006}, .spacing = 0.002, .poissons_ratio = 0.3, .critical_stretch = 1.2e-3};
-  BodySetup plate = fixtures::body_setup(options);
-  SolidSetup low, high;
-  low.name = "low", low.shape = BoxSolid{{0.1, 0.007, 0.1}}, low.position = {0, -0.014, 0};
-  high.name = "high", high.shape = BoxSolid{{0.1, 0.007, 0.1}}, high.position = {0, 0.014, 0};
-  plate.particle_sets = {low, high};
-  DisplacementSetup up;
-  up.displacement = 2e-5;
-  Setup setup;
-  setup.time.end = 1;
-  setup.time.relax = RelaxSetup{.increments = 3, .tolerance = 1e-4};
-  plate.boundary_conditions = {{"grip", FixedSetup{.particle_set = "low"}},
-                               {"pull", PrescribedSetup{.particle_set = "high", .y = up}},
-                               {"push", PressureSetup{.face = Choice{face_words, 0}, .value = 2e8}}};
-  setup.bodies = {plate};
+  Setup setup = pulled_plate({.increments = 3, .tolerance = 1e-4}, 1.2e-3);
+  setup.bodies[0].boundary_conditions.push_back({"push", PressureSetup{.face = Choice{face_words, 0}, .value = 2e8}});
   const Whole one = after(setup, 1);
   CHECK(std::count(one.bodies[0].bonds.begin(), one.bodies[0].bonds.end(), 0) > 0);
   for (const int ranks : {2, 5}) {
@@ -203,18 +208,7 @@ TEST_CASE("ranks: equilibria under prescribed displacements and pressure, with b
 }
 
 TEST_CASE("ranks: an increment of a search for equilibrium that one rank has interrupted continues bitwise on others") {
-  BodySetup plate = fixtures::body_setup({.size = {0.040, 0.032, 0.006}, .spacing = 0.002, .poissons_ratio = 0.3});
-  SolidSetup low, high;
-  low.name = "low", low.shape = BoxSolid{{0.1, 0.007, 0.1}}, low.position = {0, -0.014, 0};
-  high.name = "high", high.shape = BoxSolid{{0.1, 0.007, 0.1}}, high.position = {0, 0.014, 0};
-  plate.particle_sets = {low, high};
-  DisplacementSetup up;
-  up.displacement = 2e-5;
-  plate.boundary_conditions = {{"grip", FixedSetup{.particle_set = "low"}}, {"pull", PrescribedSetup{.particle_set = "high", .y = up}}};
-  Setup setup;
-  setup.time.end = 1;
-  setup.time.relax = RelaxSetup{.increments = 1, .tolerance = 1e-6};
-  setup.bodies = {plate};
+  const Setup setup = pulled_plate({.increments = 1, .tolerance = 1e-6});
   const std::uint64_t expected = after(setup, 1).hash;
   Simulation interrupted(setup);  // several ranks complete an increment
   int asked = 0;
