@@ -37,8 +37,6 @@ class LevelIceRun(ShipInIce):
     approach_speed: float = 1.5  # while the bow makes its channel [m/s]
     lead_in: float = 0.0  # travel at the speed of the run before the sample [m]; one characteristic length where 0
     sample: float = 0.0  # travel over which the mean is taken [m]; ten cusps at rest where 0
-    bollard_pull: float = 0.0  # thrust at zero speed [N]; where given, the ship is free in surge and heave, and starts at --speed
-    open_water_speed: float = 0.0  # speed at which the net thrust vanishes [m/s]; needed with --bollard-pull
 
     @property
     def spacing(self):

@@ -8,7 +8,7 @@ SI units; angles in degrees. Formulas, symbols, sources and ranges of validity: 
 """
 
 import argparse
-from dataclasses import dataclass, fields
+from dataclasses import dataclass, fields, replace
 from math import atan, cos, inf, pi, radians, sin, sqrt, tan
 
 GRAVITY = 9.81  # [m/s2]
@@ -39,6 +39,8 @@ class ShipInIce:
     repose: float = 10.0  # θ, angle of the rubble's surface, for ISO 19906 [deg]
     cohesion: float = 0.0  # c of rubble, for ISO 19906 [Pa]
     inner_friction: float = 45.0  # φ_r of rubble, for ISO 19906 [deg]
+    bollard_pull: float = 0.0  # T_B, thrust at zero speed of a ship that is driven by its net thrust [N]
+    open_water_speed: float = 0.0  # V_ow at which the net thrust vanishes [m/s]; needed with --bollard-pull
 
     @property
     def characteristic_length(self):
@@ -111,6 +113,20 @@ def net_thrust_factor(relative_speed):
     return 1 - relative_speed / 3 - 2 * relative_speed**2 / 3
 
 
+def net_thrust(ship):
+    """[N] at its speed."""
+    return ship.bollard_pull * net_thrust_factor(ship.speed / ship.open_water_speed)
+
+
+def held_speed(ship, formula):
+    """[m/s] at which the net thrust equals the total of a formula, by bisection; 0 where the resistance at rest is larger than the bollard pull."""
+    slow, fast = 0.0, ship.open_water_speed
+    while fast - slow > 1e-6:
+        middle = replace(ship, speed=(slow + fast) / 2)
+        slow, fast = (middle.speed, fast) if net_thrust(middle) > formula(middle)["total"] else (slow, middle.speed)
+    return slow
+
+
 def help_of_fields(file):
     """The comments of the fields of a dataclass in this source file, by their names."""
     with open(file, encoding="utf-8") as lines:
@@ -122,7 +138,10 @@ def options():
     descriptions = help_of_fields(__file__)
     for field in fields(ShipInIce):
         parser.add_argument("--" + field.name.replace("_", "-"), type=float, default=field.default, help=f"{descriptions[field.name]}; {field.default:g} where absent")
-    return ShipInIce(**vars(parser.parse_args()))
+    ship = ShipInIce(**vars(parser.parse_args()))
+    if ship.bollard_pull and not ship.open_water_speed > 0:
+        parser.error("--bollard-pull needs --open-water-speed, the speed at which the net thrust vanishes.")
+    return ship
 
 
 def main():
@@ -131,6 +150,10 @@ def main():
         print(f"{title} [kN]")
         for name, value in parts.items():
             print(f"  {name:28}{value:10.3f}" if name == "xi" else f"  {name:28}{1e-3 * value:10.0f}")
+    if ship.bollard_pull:
+        print(f"Net thrust [kN]\n  {f'at {ship.speed:g} m/s':28}{1e-3 * net_thrust(ship):10.0f}\nSpeed held [m/s]")
+        for title, formula in (("Lindqvist 1989", lindqvist), ("Riska 1997", riska)):
+            print(f"  {title:28}{held_speed(ship, formula):10.2f}")
     print("Cusps of broken ice")
     for (name, value), unit in zip(cusps(ship).items(), ("m", "m", "s")):
         print(f"  {name:28}{value:10.2f} {unit}")

@@ -1,6 +1,7 @@
 """Formulas for ships in level ice: the published numbers, limits that can be done by hand, and the page that prints them."""
 
 import re
+import subprocess
 import sys
 from dataclasses import replace
 from math import cos, pi, radians, sin, tan
@@ -9,7 +10,7 @@ from pathlib import Path
 ROOT = Path(__file__).resolve().parents[3]
 sys.path[:0] = [str(ROOT / "tests/cli"), str(ROOT / "cases/ship_ice")]
 from claims import claim, main  # noqa: E402
-from resistance import GRAVITY, ShipInIce, cusps, iso_19906, lindqvist, riska  # noqa: E402
+from resistance import GRAVITY, ShipInIce, cusps, held_speed, iso_19906, lindqvist, riska  # noqa: E402
 
 SHIP = ShipInIce()  # the seed paper's
 
@@ -90,6 +91,25 @@ def page(scene):
     for strength, friction, *numbers in rows:
         parts = lindqvist(replace(SHIP, strength=1e6 * float(strength), friction=float(friction)))
         scene.assertEqual([kilo(parts[name]) for name in ("crushing", "bending", "submersion", "total")], [int(number) for number in numbers])
+
+
+@claim("resistance: at the speed that a driven ship holds its resistance is its net thrust, and one that is too weak holds none")
+def driven(scene):
+    ship = replace(SHIP, thickness=1, bollard_pull=1.5e6, open_water_speed=8)
+    for formula in lindqvist, riska:
+        speed = held_speed(ship, formula)
+        # T_B [1 - V/(3 V_ow) - 2/3 (V/V_ow)²]
+        thrust = 1.5e6 * (1 - speed / 24 - 2 * speed * speed / 192)
+        scene.assertGreater(speed, 0.1)
+        scene.assertAlmostEqual(formula(replace(ship, speed=speed))["total"] / thrust, 1, delta=1e-5)  # of a bisection to 1e-6 m/s
+        scene.assertEqual(held_speed(replace(ship, bollard_pull=1e3), formula), 0)
+
+
+@claim("resistance: a bollard pull without a speed in open water is refused")
+def refused(scene):
+    said = subprocess.run([sys.executable, ROOT / "cases/ship_ice/resistance.py", "--bollard-pull", "1e6"], capture_output=True, text=True, check=False)
+    scene.assertEqual(said.returncode, 2)
+    scene.assertIn("--bollard-pull needs --open-water-speed", said.stderr)
 
 
 main()
