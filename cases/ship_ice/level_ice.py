@@ -35,6 +35,7 @@ class LevelIceRun(ShipInIce):
     ahead: float = 4.0  # ice ahead of the stem, in characteristic lengths; radial cracks must not reach its end
     beside: float = 2.0  # ice on either side of the hull, in characteristic lengths
     approach_speed: float = 1.5  # while the bow makes its channel [m/s]
+    inertial_speed: float = 0.0  # speed at which the ice would have the inertial forces of the run [m/s]: a slower ship has heavier ice, and longer steps
     lead_in: float = 0.0  # travel at the speed of the run before the sample [m]; one characteristic length where 0
     sample: float = 0.0  # travel over which the mean is taken [m]; ten cusps at rest where 0
 
@@ -60,8 +61,8 @@ class LevelIceRun(ShipInIce):
 
     @property
     def mass_scaling(self):
-        """Inertia of the ice with this water over that of the ice."""
-        return 1 + self.water * self.entrained_depth / (self.ice * self.thickness)
+        """Inertia of the ice with this water over that of the ice; where the ship is slower than `inertial_speed`, larger by the square of their ratio."""
+        return (1 + self.water * self.entrained_depth / (self.ice * self.thickness)) * max(1.0, self.inertial_speed / self.speed) ** 2
 
     @property
     def dry_top(self):
@@ -115,7 +116,7 @@ def expect_possible(run):
     for name in ("length", "beam", "draft", "speed", "thickness", "strength", "young", "ice", "water", "displacement", "compressive_strength", "approach_speed", "fullness", "ahead", "beside"):
         if not getattr(run, name) > 0:
             refuse(f"--{name.replace('_', '-')} is {getattr(run, name):g}, but must be positive.")
-    for name in ("friction", "ice_friction", "crushing_pressure", "edge_length", "bow_edge_length", "lead_in", "sample", "bollard_pull", "open_water_speed"):
+    for name in ("friction", "ice_friction", "crushing_pressure", "edge_length", "bow_edge_length", "inertial_speed", "lead_in", "sample", "bollard_pull", "open_water_speed"):
         if not getattr(run, name) >= 0:
             refuse(f"--{name.replace('_', '-')} is {getattr(run, name):g}, but must not be negative.")
     if run.bollard_pull and not run.open_water_speed > run.speed:
@@ -167,7 +168,7 @@ bodies:
     spacing: {written} m                       # {along} x {across} x {LAYERS} particles
     horizon_ratio: 2.015
     bending_calibration: z
-    mass_scaling: {scaling:.3g}                            # the water that moves with a cusp
+    mass_scaling: {scaling:.3g}                            # the water that moves with a cusp{f", and the inertial forces of {run.inertial_speed:g} m/s" if run.inertial_speed > run.speed else ""}
     moving_window: {{follow: ship, start_after: {run.astern:g} m}}
     material:
       model: bond-based
