@@ -61,8 +61,8 @@ class LevelIceRun(ShipInIce):
 
     @property
     def mass_scaling(self):
-        """Inertia of the ice with this water over that of the ice; where the ship is slower than `inertial_speed`, larger by the square of their ratio."""
-        return (1 + self.water * self.entrained_depth / (self.ice * self.thickness)) * max(1.0, self.inertial_speed / self.speed) ** 2
+        """Density of the ice in the run over its own: inertia of the ice with this water, and of `inertial_speed`."""
+        return (1 + self.water * self.entrained_depth / (self.ice * self.thickness)) * self.inertia
 
     @property
     def dry_top(self):
@@ -75,11 +75,21 @@ class LevelIceRun(ShipInIce):
         return 1e-3 * float(f"{1e3 * STEP * self.spacing / sqrt(self.young / (self.ice * self.mass_scaling)):.3g}")
 
     @property
+    def inertia(self):
+        """Inertial forces of the run over those of the ice and its water: above one for a ship that is slower than `inertial_speed`."""
+        return max(1.0, self.inertial_speed / self.speed) ** 2
+
+    @property
+    def approach(self):
+        """Speed of the approach [m/s]: `approach_speed`, or slower where its inertial forces would be more than four times as large."""
+        return self.approach_speed * min(1.0, 2 / sqrt(self.inertia))
+
+    @property
     def approach_time(self):
         """Time from which the ship has the speed of the run [s]: it takes a second to change it. A free ship: at its initial speed."""
         if self.bollard_pull:
             return self.astern / self.speed
-        return (self.astern - (self.approach_speed + self.speed) / 2) / self.approach_speed + 1
+        return (self.astern - (self.approach + self.speed) / 2) / self.approach + 1
 
     @property
     def sample_begins(self):
@@ -145,7 +155,7 @@ def deck(run, title, heading, folder):
     fastest = sqrt(1.2 * run.young / (run.ice * scaling))  # [m/s] √((λ + 2µ)/ρ) at ν = 1/4
     reflection = exp(-RIM_DAMPING * heave * rim / (3 * fastest))  # of that wave (docs/theory/boundary_conditions.md); bending waves are far slower
     reached = run.approach_time
-    motion = f"""motion: {{x: {{times: [0, {reached - 1:.4g}, {reached:.4g}], velocities: [{-run.approach_speed:g}, {-run.approach_speed:g}, {-run.speed:g}]}}}}  # makes its channel, then breaks ice at the speed of the run"""
+    motion = f"""motion: {{x: {{times: [0, {reached - 1:.4g}, {reached:.4g}], velocities: [{-run.approach:g}, {-run.approach:g}, {-run.speed:g}]}}}}  # makes its channel, then breaks ice at the speed of the run"""
     if run.bollard_pull:
         relative = [tenths / 10 for tenths in range(13)]
         speeds = ", ".join(f"{share * run.open_water_speed:.4g}" for share in relative)

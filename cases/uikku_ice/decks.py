@@ -24,8 +24,8 @@ UIKKU = LevelIceRun(
     fullness=1.4, freeboard=6, displacement=21655e3, edge_length=1.5, bow_edge_length=0.75, lead_in=10, sample=36,
 )  # fmt: skip
 
-# Tests 103, 104 and 205 have the inertial forces of test 403, the fastest, which makes them affordable, and no larger ones than at 3 m/s in the approach: README.md
-INERTIAL_SPEED, INERTIAL_SPEED_OF_APPROACH = 1.0, 3.0
+# Tests 103, 104 and 205 have the inertial forces of test 403, the fastest, which makes them affordable [m/s]: README.md
+INERTIAL_SPEED = 1.0
 UNSCALED = (302,)
 
 # power, diameter of the propeller and speed in open water: README.md
@@ -52,10 +52,7 @@ def ship_in(test):
 
 def deck(number, test, is_free=False):
     """The deck of a test; of a ship that is free in surge and heave and driven by its net thrust, where `is_free`."""
-    run = ship_in(test)
-    if number not in UNSCALED and run.speed < INERTIAL_SPEED:
-        approach_speed = min(run.approach_speed, INERTIAL_SPEED_OF_APPROACH * run.speed / INERTIAL_SPEED)
-        run = replace(run, inertial_speed=INERTIAL_SPEED, approach_speed=approach_speed)
+    run = replace(ship_in(test), inertial_speed=0.0 if number in UNSCALED else INERTIAL_SPEED)
     if is_free:
         run = replace(run, **PROPULSION)
     heading = f"""# yaml-language-server: $schema=../../docs/guide/deck.schema.json

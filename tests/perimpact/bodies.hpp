@@ -19,6 +19,7 @@ enum class Points { lattice, listed, shaken };  ///< of the lattice; the same po
 struct BodyOptions {
   Vec3d size{0.02, 0.015, 0.009};
   double spacing = 0.001;
+  double horizon_ratio = 3.015;
   double poissons_ratio = 0.25;
   SurfaceCorrection correction = SurfaceCorrection::automatic;
   FamilyRule family = FamilyRule::hu_ha_bobaru;
@@ -62,6 +63,7 @@ inline BodySetup body_setup(const BodyOptions& options = {}) {
   setup.name = "body";
   setup.shape = BoxSolid{options.size};
   setup.spacing = options.spacing;
+  setup.horizon_ratio = options.horizon_ratio;
   setup.family.index = static_cast<int>(options.family);
   setup.normalisation.index = static_cast<int>(options.normalisation);
   setup.surface_correction.index = static_cast<int>(options.correction);

@@ -159,6 +159,8 @@ class NearPairs {
 
   WrappedCells cells_;
   std::vector<std::uint8_t> cell_marks_;
+  std::vector<std::uint32_t> cell_bodies_;  // body of all particles of a cell; none if it has several, or no particles
+  VectorArray references_by_cell_;          // [m] X, in the order of cells_.points_by_cell()
 
   std::vector<Member> members_;
   std::vector<std::size_t> first_pair_;

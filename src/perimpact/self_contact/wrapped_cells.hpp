@@ -15,6 +15,15 @@ namespace perimpact {
 
 using fccda::Vec3d;
 
+/// Squared distances [m²] of `place` from a pack of points, which begins at `first`. The array is padded to full packs.
+template <class Pack>
+Pack squared_distances(const VectorArray& points, std::size_t first, const Vec3d& place) {
+  const std::array<const double*, 3> x = points.pointers();
+  const Pack dx = fccda::load<Pack>(x[0] + first) - Pack(place.x), dy = fccda::load<Pack>(x[1] + first) - Pack(place.y),
+             dz = fccda::load<Pack>(x[2] + first) - Pack(place.z);
+  return fccda::fused_multiply_add(dz, dz, fccda::fused_multiply_add(dy, dy, dx * dx));
+}
+
 class WrappedCells {
  public:
   /// `edge` [m]: points nearer than this lie in the same cell or in cells around it.
@@ -24,20 +33,19 @@ class WrappedCells {
   std::uint32_t cell_of(std::size_t point) const { return cell_of_[point]; }   ///< cell that contains the point
   std::span<const std::uint32_t> points_in(std::size_t cell) const { return {points_.data() + first_[cell], first_[cell + 1] - first_[cell]}; }  ///< ascending
 
-  /// Calls visit(point) for the points in the cell with a squared distance below `squared` [m²] from `place`, in ascending order.
-  template <class Visit>
-  void for_each_within(std::size_t cell, const Vec3d& place, double squared, const Visit& visit) const {
+  /// Calls visit(point) for the points in the cell with a squared distance below `squared` [m²] from `place`, in ascending order. `among(first)`: bits of those
+  /// to consider, of a pack of points in the order of points_by_cell() that begins at `first`.
+  template <class Among, class Visit>
+  void for_each_within(std::size_t cell, const Vec3d& place, double squared, const Among& among, const Visit& visit) const {
     using Pack = fccda::NativePack;
-    const std::array<const double*, 3> x = sorted_.pointers();
-    const fccda::Vec3<Pack> at{Pack(place.x), Pack(place.y), Pack(place.z)};
     for (std::size_t first = first_[cell]; first < first_[cell + 1]; first += fccda::lanes<Pack>) {
-      const fccda::Vec3<Pack> between{fccda::load<Pack>(x[0] + first) - at.x, fccda::load<Pack>(x[1] + first) - at.y, fccda::load<Pack>(x[2] + first) - at.z};
-      const Pack distance = fccda::fused_multiply_add(between.z, between.z, fccda::fused_multiply_add(between.y, between.y, between.x * between.x));
-      unsigned near = fccda::bits_where_greater(Pack(squared), distance);
+      unsigned near = fccda::bits_where_greater(Pack(squared), squared_distances<Pack>(sorted_, first, place));
       if (first_[cell + 1] - first < fccda::lanes<Pack>) near &= (1u << (first_[cell + 1] - first)) - 1u;
+      if (near != 0) near &= among(first);
       fccda::for_each_bit(near, [&](std::size_t lane) { visit(points_[first + lane]); });
     }
   }
+  std::span<const std::uint32_t> points_by_cell() const { return points_; }  ///< all points, cell by cell
 
   /// Calls visit(cell) for the cell and its neighbours, each once.
   template <class Visit>

@@ -74,6 +74,23 @@ def driven(t):
         t.assertAlmostEqual(linear, 1 - speed / 24 - 2 * speed * speed / 192, delta=2e-3)  # a chord of 0.8 m/s: 0.8² · (4/3/64)/8
 
 
+@claim("level ice: a slow ship with the inertial forces of a faster one has ice that is heavier by the square of their ratio, and steps longer by the ratio")
+def inertial(t):
+    def numbers(inertial_speed):
+        write(t, *OPTIONS[:-1], "0.3", "--inertial-speed", str(inertial_speed))
+        text = (t.folder / "ship.yaml").read_text(encoding="utf-8")
+        (t.folder / "ship.yaml").unlink()
+        patterns = (r"step: ([\d.]+) ms", r"mass_scaling: ([\d.]+)", r"velocities: \[-([\d.]+)", r"reflection: ([\d.]+)")
+        return [float(re.search(pattern, text)[1]) for pattern in patterns]
+
+    plain, scaled = numbers(0), numbers(1.2)
+    for ratio, (before, after) in zip((4, 16, 0.5, 1), zip(plain, scaled)):  # the approach at 0.75 m/s, with the inertial forces of 3 m/s
+        t.assertAlmostEqual(after / before, ratio, delta=0.006 * ratio)  # three digits are written
+    t.assertEqual(numbers(0.2), plain)  # slower than the ship
+    write(t, *OPTIONS[:-1], "0.3", "--inertial-speed", "1.2")
+    t.expect_no_warning("check", "ship.yaml", "--out", "checked")
+
+
 @claim("level ice: data that are impossible, and a file that exists, are refused with a sentence")
 def refused(t):
     for change, words in (

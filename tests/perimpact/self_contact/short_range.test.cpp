@@ -353,6 +353,49 @@ TEST_CASE("short range: a thin plate folded onto itself is in self-contact, with
   CHECK(difference(pile, expected) <= 1e-10);
 }
 
+TEST_CASE("short range: a lattice whose horizon is just within reach has no pairs until it breaks or folds, and forces are those of a sum over all pairs") {
+  constexpr double dt = 1e-8;
+  for (const Plane plane : {Plane::none, Plane::stress}) {
+    CAPTURE(static_cast<int>(plane));
+    Pile pile{.law = {.friction = 0.3}, .bodies = {}};
+    // the next distances on the lattice are √5 spacings, beyond the support of 2 by less than the usual skin of a half
+    pile.bodies.push_back(fixtures::body({.size = {0.024, 0.007, 0.003}, .spacing = spacing, .horizon_ratio = 2.015, .plane = plane}));
+    Body& body = pile.bodies[0];
+    const auto bodies = pile.contacts();
+    ShortRange contact(pile.law, bodies);
+    AllPairs expected;
+    const auto evaluate = [&] {
+      pile.clear_forces();
+      contact.add_forces(bodies, dt), expected.evaluate(pile, dt);
+      CHECK(contact.contacts() == expected.contacts);
+      CHECK(difference(pile, expected) <= 1e-10);
+    };
+    evaluate();
+    CHECK(contact.near_pairs().pair_count() == 0);
+    // in one step, with the velocity that it takes: particles that come into range from outside are pushed back
+    const auto move_to = [&](const auto& place_of) {
+      for (const std::uint32_t slot : body.particles.slot_of()) {
+        const Vec3d to = place_of(body.particles.reference(slot));
+        body.particles.velocity.set(slot, (to - body.particles.position.at(slot)) / dt);
+        body.particles.position.set(slot, to);
+      }
+      evaluate();
+    };
+    if (plane == Plane::none) {
+      // folded: halves that have lost no bond, at 3.7 spacings and then at 0.7
+      for (const double gap : {3.7 * spacing, 0.7 * spacing}) move_to([&](const Vec3d& X) { return X.x > 0 ? Vec3d{-X.x, X.y, 2 * spacing + gap + X.z} : X; });
+      CHECK(expected.contacts > 100);
+    }
+    // compressed, so that distances of √5 spacings are within reach, without and with a crack
+    move_to([](const Vec3d& X) { return X; });
+    for (const double stretch : {0.85, 1.0}) move_to([&](const Vec3d& X) { return Vec3d{stretch * X.x, X.y, X.z}; });
+    break_bonds(body, [&](std::size_t i, std::size_t j) { return body.particles.reference(i).x * body.particles.reference(j).x < 0; });
+    evaluate();
+    move_to([](const Vec3d& X) { return Vec3d{0.7 * X.x, X.y, X.z}; });
+    CHECK(expected.contacts > 10);
+  }
+}
+
 TEST_CASE("short range: bodies in common translation need no new list, however far") {
   Pile pile = wreck(fixtures::Points::lattice, Plane::none, 0.3, 0.2);
   const auto bodies = pile.contacts();

@@ -16,7 +16,9 @@ VectorArray array_of(const std::vector<Vec3d>& points) {
 }
 }  // namespace
 
-TEST_CASE("wrapped cells: the cell and its neighbours contain all points within an edge, each once, on lines, in planes and with distant points") {
+TEST_CASE(
+    "wrapped cells: the cell and its neighbours contain all points within an edge, each once, and of those to consider, on lines, in planes and with distant "
+    "points") {
   std::mt19937_64 random(5);
   struct Scene {
     const char* name;
@@ -35,15 +37,22 @@ TEST_CASE("wrapped cells: the cell and its neighbours contain all points within 
     cells.sort(array_of(points), edge);
     CHECK(cells.size() <= 2 * points.size());
     for (std::size_t p = 0; p < points.size(); ++p) {
-      std::vector<std::uint32_t> found;
+      std::vector<std::uint32_t> found, even;  // all, and those in even places of the order of cells
       std::set<std::size_t> visited;
       cells.for_each_around(cells.cell_of(p), [&](std::size_t cell) {
         REQUIRE(visited.insert(cell).second);
-        cells.for_each_within(cell, points[p], edge * edge, [&](std::uint32_t q) { found.push_back(q); });
+        const auto all = [](std::size_t) { return ~0u; };
+        const auto in_even_places = [](std::size_t first) { return first % 2 == 0 ? 0x55555555u : 0xaaaaaaaau; };
+        cells.for_each_within(cell, points[p], edge * edge, all, [&](std::uint32_t q) { found.push_back(q); });
+        cells.for_each_within(cell, points[p], edge * edge, in_even_places, [&](std::uint32_t q) { even.push_back(q); });
       });
       std::size_t missed = 0;
-      for (std::size_t q = 0; q < points.size(); ++q)
-        if (std::count(found.begin(), found.end(), q) != (norm(points[q] - points[p]) < edge)) ++missed;
+      for (std::size_t place = 0; place < points.size(); ++place) {
+        const std::uint32_t q = cells.points_by_cell()[place];
+        const bool is_within = norm(points[q] - points[p]) < edge;
+        if (std::ranges::count(found, q) != is_within) ++missed;
+        if (std::ranges::count(even, q) != (is_within && place % 2 == 0)) ++missed;
+      }
       REQUIRE(missed == 0);
     }
   }
