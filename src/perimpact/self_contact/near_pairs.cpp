@@ -139,20 +139,61 @@ std::vector<std::uint32_t> NearPairs::members_with_broken_bonds() const {
   return found;
 }
 
-NearPairs::Moved NearPairs::moved(std::span<const ContactingBody> bodies) const {
-  std::vector<Moved> of_block((particles_.size() + block - 1) / block);
-  fccda::parallel_for_blocks(particles_.size(), block, [&](std::size_t first, std::size_t last) {
-    Moved moved;
-    for (std::size_t p = first; p < last; ++p) {
-      if (particles_[p].is_foreign) continue;
-      const Vec3d by = bodies[particles_[p].body].particles.position.at(particles_[p].slot) - reference_positions_.at(p);
-      moved.include({by, by, squared_norm(by - drift_)});
+/// Includes the displacements of the particles first to last - 1 of a run, whose number is a multiple of the lanes. `position`, `reference`: of the run.
+template <class P>
+void include_displacements(std::size_t first, std::size_t last, const std::array<const double*, 3>& position, const std::array<const double*, 3>& reference,
+                           const Vec3d& drift, NearPairs::Moved& moved) {
+  const P least(-NearPairs::Moved::infinity);
+  std::array<P, 7> most = {least, least, least, least, least, least, P(0.0)};  // of -u, u and the squared distance from the drift
+  for (std::size_t n = first; n < last; n += fccda::lanes<P>) {
+    P squared(0.0);
+    for (std::size_t c = 0; c < 3; ++c) {
+      const P by = fccda::load<P>(position[c] + n) - fccda::load<P>(reference[c] + n), apart = by - P(drift[c]);
+      most[c] = fccda::larger(most[c], P(0.0) - by), most[3 + c] = fccda::larger(most[3 + c], by);
+      squared += apart * apart;
     }
-    of_block[first / block] = moved;
+    most[6] = fccda::larger(most[6], squared);
+  }
+  std::array<std::array<double, fccda::lanes<P>>, 7> of_lanes;
+  for (std::size_t k = 0; k < most.size(); ++k) fccda::store(of_lanes[k].data(), most[k]);
+  for (std::size_t lane = 0; lane < fccda::lanes<P>; ++lane) {
+    const auto at = [&](std::size_t k) { return of_lanes[k][lane]; };
+    moved.include({{-at(0), -at(1), -at(2)}, {at(3), at(4), at(5)}, at(6)});
+  }
+}
+
+NearPairs::Moved NearPairs::moved(std::span<const ContactingBody> bodies) const {
+  std::vector<Moved> of_run(runs_.size());
+  fccda::parallel_for(static_cast<std::ptrdiff_t>(runs_.size()), [&](std::ptrdiff_t number) {
+    const Run& run = runs_[static_cast<std::size_t>(number)];
+    std::array<const double*, 3> position, reference;
+    for (std::size_t c = 0; c < 3; ++c) {
+      position[c] = bodies[run.body].particles.position.component(c) + run.slot;
+      reference[c] = reference_positions_.component(c) + run.particle;
+    }
+    const std::size_t full = run.count / fccda::lanes<Pack> * fccda::lanes<Pack>;
+    Moved& moved = of_run[static_cast<std::size_t>(number)];
+    include_displacements<Pack>(0, full, position, reference, drift_, moved);
+    include_displacements<double>(full, run.count, position, reference, drift_, moved);
   });
   Moved all;
-  for (const Moved& moved : of_block) all.include(moved);
+  for (const Moved& moved : of_run) all.include(moved);
   return all;
+}
+
+/// The movement of all particles is examined in each step, without their descriptions.
+void NearPairs::list_runs() {
+  runs_.clear();
+  for (std::size_t p = 0; p < particles_.size(); ++p) {
+    const Member& particle = particles_[p];
+    if (particle.is_foreign) continue;
+    Run* last = runs_.empty() ? nullptr : &runs_.back();
+    const bool continues = last && last->body == particle.body && last->slot + last->count == particle.slot && last->particle + last->count == p;
+    if (continues && last->count < block)
+      ++last->count;
+    else
+      runs_.push_back({p, particle.body, particle.slot, 1});
+  }
 }
 
 bool NearPairs::has_moved_by_skin(const Moved& all) {
@@ -243,6 +284,7 @@ void NearPairs::make(std::span<const ContactingBody> bodies) {
   is_known_ = true;
   if (std::ranges::any_of(bodies, [](const ContactingBody& body) { return !body.particles.crushed.empty(); })) list_particles(bodies);
   find_foreign(bodies);
+  list_runs();
   fccda::parallel_for_blocks(particles_.size(), block, [&](std::size_t first, std::size_t last) {
     for (std::size_t p = first; p < last; ++p)
       if (!particles_[p].is_foreign) reference_positions_.set(p, bodies[particles_[p].body].particles.position.at(particles_[p].slot));

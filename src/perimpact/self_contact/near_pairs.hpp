@@ -123,6 +123,11 @@ class NearPairs {
   struct Found {
     std::uint32_t particle, bond;
   };
+  /// Successive own particles in successive slots.
+  struct Run {
+    std::size_t particle;  // the first
+    std::uint32_t body, slot, count;
+  };
   Moved moved(std::span<const ContactingBody> bodies) const;
   bool has_moved_by_skin(const Moved& moved);
   bool is_exposed(const Member& member) const {
@@ -130,6 +135,7 @@ class NearPairs {
   }
   void list_particles(std::span<const ContactingBody> bodies);
   void find_foreign(std::span<const ContactingBody> bodies);
+  void list_runs();
   void mark_cells();
   bool has_lost(const Member& particle) const {
     return particle.is_foreign ? foreign_.all()[particle.slot].has_lost != 0 : exposures_[particle.body].has_lost(particle.slot);
@@ -148,6 +154,7 @@ class NearPairs {
   // of all particles of all bodies, with those of other ranks, by id
   std::vector<Member> particles_;
   VectorArray reference_positions_;                      // [m] positions when the list was built
+  std::vector<Run> runs_;                                // all own particles, when the list was built
   Vec3d drift_{};                                        // [m] approximate common displacement since
   std::vector<std::uint8_t> near_damage_;                // near a particle that has lost a bond
   std::vector<std::uint32_t> member_of_;                 // none if it has no pairs
