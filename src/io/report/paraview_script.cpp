@@ -23,7 +23,7 @@ from paraview import simple
 
 )py";
 
-constexpr std::string_view body = R"py(
+constexpr std::string_view instructions = R"py(
 # File > Load State names this file; --script and the Python shell do not, and need the results folder as the current one
 folder = os.path.dirname(os.path.abspath(globals().get("__file__", "here")))
 TITLES = {"damage": "damage [-]", "velocity": "speed [m/s]"}
@@ -114,7 +114,7 @@ std::string paraview_script(const Frames& frames) {
   out += "]\nIMPACTORS = [";
   for (const ImpactorFrames& each : frames.impactors) out += fmt::format("{}({})", &each == &frames.impactors.front() ? "" : ", ", series(each));
   out += "]\n";
-  return out.append(body);
+  return out.append(instructions);
 }
 
 }  // namespace perimpact::report
