@@ -34,6 +34,7 @@ class LevelIceRun(ShipInIce):
     bow_edge_length: float = 0.0  # of those of its bow [m]; two spacings where 0
     ahead: float = 4.0  # ice ahead of the stem, in characteristic lengths; radial cracks must not reach its end
     beside: float = 2.0  # ice on either side of the hull, in characteristic lengths
+    astern: float = 0.0  # ice behind the stem, which slides along the hull [m]; the length of the bow where 0
     approach_speed: float = 1.5  # while the bow makes its channel [m/s]
     inertial_speed: float = 0.0  # speed at which the ice would have the inertial forces of the run [m/s]: a slower ship has heavier ice, and longer steps
     lead_in: float = 0.0  # travel at the speed of the run before the sample [m]; one characteristic length where 0
@@ -45,8 +46,8 @@ class LevelIceRun(ShipInIce):
         return self.thickness / LAYERS
 
     @property
-    def astern(self):
-        """Ice behind the stem [m]: the length of the bow, in full metres."""
+    def bow_length(self):
+        """Of the hull, in full metres [m]."""
         return float(ceil(self.fullness * self.beam / (2 * tan(radians(self.waterline)))))
 
     @property
@@ -88,8 +89,8 @@ class LevelIceRun(ShipInIce):
     def approach_time(self):
         """Time from which the ship has the speed of the run [s]: it takes a second to change it. A free ship: at its initial speed."""
         if self.bollard_pull:
-            return self.astern / self.speed
-        return (self.astern - (self.approach + self.speed) / 2) / self.approach + 1
+            return self.bow_length / self.speed
+        return (self.bow_length - (self.approach + self.speed) / 2) / self.approach + 1
 
     @property
     def sample_begins(self):
@@ -126,7 +127,7 @@ def expect_possible(run):
     for name in ("length", "beam", "draft", "speed", "thickness", "strength", "young", "ice", "water", "displacement", "compressive_strength", "approach_speed", "fullness", "ahead", "beside"):
         if not getattr(run, name) > 0:
             refuse(f"--{name.replace('_', '-')} is {getattr(run, name):g}, but must be positive.")
-    for name in ("friction", "ice_friction", "crushing_pressure", "edge_length", "bow_edge_length", "inertial_speed", "lead_in", "sample", "bollard_pull", "open_water_speed"):
+    for name in ("friction", "ice_friction", "crushing_pressure", "edge_length", "bow_edge_length", "inertial_speed", "astern", "lead_in", "sample", "bollard_pull", "open_water_speed"):
         if not getattr(run, name) >= 0:
             refuse(f"--{name.replace('_', '-')} is {getattr(run, name):g}, but must not be negative.")
     if run.bollard_pull and not run.open_water_speed > run.speed:
@@ -136,6 +137,8 @@ def expect_possible(run):
     for name in ("stem", "waterline"):
         if not 0 < getattr(run, name) < 90:
             refuse(f"--{name} is {getattr(run, name):g}, but must be an angle between 0 and 90 degrees.")
+    if 0 < run.astern < run.bow_length:
+        refuse(f"--astern is {run.astern:g}, but must be at least the length of the bow ({run.bow_length:g} m), so that the full breadth of the ship is in the ice.")
     if run.compressive_strength <= run.strength:
         refuse(f"--compressive-strength ({run.compressive_strength:g} Pa) must exceed --strength ({run.strength:g} Pa), the flexural strength.")
     if run.ice >= run.water:
@@ -146,7 +149,8 @@ def deck(run, title, heading, folder):
     """The deck as text. `heading`: comment lines before the title; `folder` of the results."""
     spacing, travels = run.spacing, sum(run.travels)
     written = f"{spacing:.7g}"
-    along = 8 * ceil((run.astern + run.ahead * run.characteristic_length) / spacing / 8)
+    astern = run.astern or run.bow_length
+    along = 8 * ceil((astern + run.ahead * run.characteristic_length) / spacing / 8)
     across = 2 * ceil((run.beam / 2 + run.beside * run.characteristic_length) / spacing)
     long, wide, edge, layer = along * spacing, across * spacing, 3 * spacing, f"{spacing / 2:.4g} m"
     draft = run.thickness * run.ice / run.water
@@ -169,7 +173,7 @@ def deck(run, title, heading, folder):
     return f"""{heading}
 title: {title}
 
-time: {{end: {run.ends:.5g} s, step: {1e3 * run.step:.3g} ms}}                 # {run.astern + travels:g} m of travel
+time: {{end: {run.ends:.5g} s, step: {1e3 * run.step:.3g} ms}}                 # {run.bow_length + travels:g} m of travel
 
 bodies:
   sheet:
@@ -179,7 +183,7 @@ bodies:
     horizon_ratio: 2.015
     bending_calibration: z
     mass_scaling: {scaling:.3g}                            # the water that moves with a cusp{f", and the inertial forces of {run.inertial_speed:g} m/s" if run.inertial_speed > run.speed else ""}
-    moving_window: {{follow: ship, start_after: {run.astern:g} m}}
+    moving_window: {{follow: ship, start_after: {astern:g} m}}
     material:
       model: bond-based
       youngs_modulus: {1e-6 * run.young:g} MPa
@@ -250,7 +254,7 @@ def main():
     title = f"A ship of {run.length:g} m in {run.thickness:g} m of level ice, {f'driven by up to {1e-3 * run.bollard_pull:g} kN' if run.bollard_pull else f'at {run.speed:g} m/s'}"
     heading = "# Written by level_ice.py. The guide page 'A ship in level ice' (docs/guide/ship_in_level_ice.md) gives the reason for each number."
     out.write_text(deck(run, title, heading, f"results/{out.stem}"), encoding="utf-8")
-    print(f"{out}: {run.astern + sum(run.travels):g} m of travel, about {round(run.ends / run.step, -3):.0f} steps")
+    print(f"{out}: {run.bow_length + sum(run.travels):g} m of travel, about {round(run.ends / run.step, -3):.0f} steps")
     columns = "ship.force_x,ship.velocity_x" if run.bollard_pull else "ship.force_x"
     print(f"Mean of the sample: perimpact statistics results/{out.stem} --from {run.sample_begins:.2f} --to {run.ends:.2f} --columns {columns}")
     print(f"Width of the channel: perimpact statistics results/{out.stem} --channel sheet:x")

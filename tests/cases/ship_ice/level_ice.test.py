@@ -91,6 +91,22 @@ def inertial(t):
     t.expect_no_warning("check", "ship.yaml", "--out", "checked")
 
 
+@claim("level ice: with more ice behind the stem the sheet is longer by as much and the window follows later; the ship travels as far")
+def astern(t):
+    def numbers(*options):
+        write(t, *OPTIONS, *options)
+        text = (t.folder / "ship.yaml").read_text(encoding="utf-8")
+        (t.folder / "ship.yaml").unlink()
+        patterns = (r"box: {size: \[([\d.]+) m", r"start_after: ([\d.]+) m", r"end: ([\d.]+) s")
+        return [float(re.search(pattern, text)[1]) for pattern in patterns]
+
+    (length, start, end), (longer, later, same_end) = numbers(), numbers("--astern", "80")
+    t.assertEqual((later, same_end), (80, end))
+    t.assertAlmostEqual(longer - length, 80 - start, delta=8 * 0.8 / LAYERS)  # lengths are multiples of eight spacings
+    write(t, *OPTIONS, "--astern", "80")
+    t.expect_no_warning("check", "ship.yaml", "--out", "checked")
+
+
 @claim("level ice: data that are impossible, and a file that exists, are refused with a sentence")
 def refused(t):
     for change, words in (
@@ -100,6 +116,8 @@ def refused(t):
         (["--ice", "1030"], "does not float"),
         (["--ahead=-1"], "--ahead is -1, but must be positive."),
         (["--friction=-0.1"], "--friction is -0.1, but must not be negative."),
+        (["--inertial-speed=-1"], "--inertial-speed is -1, but must not be negative."),
+        (["--astern", "20"], "--astern is 20, but must be at least the length of the bow (33 m)"),
         (["--bollard-pull", "5e5"], "--open-water-speed is 0, but must exceed --speed (1.5)"),
         (["--open-water-speed", "8"], "--open-water-speed is given without --bollard-pull"),
     ):
