@@ -3,6 +3,7 @@
 import re
 from importlib import import_module
 
+import predictions
 from rows import read_numbers
 from runner import ROOT
 from topics.paper import conclusions
@@ -22,6 +23,10 @@ HEAD = """# Validation: claims and results
 Each row has a claim, the source of the expected value, our result, the expected value with its tolerance, the reason of the tolerance, and the verdict. Every row
 can fail: a test moves each number out of its tolerance and verifies that the row fails. "The paper" is that of Zhang et al., which introduced the FCCDA; where
 it contradicts itself or is ambiguous see [variants](theory/fccda_variants.md). Other tests of the program: [testing](developer/testing.md).
+"""
+
+PREDICTIONS = """What rows test can be computed otherwise. These values cannot: they were measured by others, or follow from formulas that were fitted to measurements. Each target was stated before the run, and no constant was changed after it.
+Cases: [icebreaker](../cases/ship_ice/README.md#against-formulas), [specimens](../cases/ice_specimens/README.md), [MT Uikku](../cases/uikku_ice/README.md).
 """
 
 
@@ -77,7 +82,7 @@ def section(topic, numbers):
 
 
 def page(numbers):
-    lines = [HEAD, *summary(numbers), "", "## The paper's conclusions", "", "| the paper | verdict | our finding |", "|---|---|---|"]
+    lines = [HEAD, *summary(numbers), "", "## Predictions and their targets", "", PREDICTIONS, *predictions.table(numbers), "", "## The paper's conclusions", "", "| the paper | verdict | our finding |", "|---|---|---|"]
     lines += [f"| {one.claim} | {verdict} | {one.found} |" for one, verdict in verdicts(numbers)]
     for topic in TOPICS:
         lines += section(topic, numbers)

@@ -5,12 +5,15 @@ import shutil
 import subprocess
 import sys
 import unittest
+from dataclasses import replace
 from pathlib import Path
 
 ROOT = Path(__file__).resolve().parents[2]
 sys.path[:0] = [str(ROOT / "tests/cli"), str(ROOT / "validation")]
 from claims import claim, main  # noqa: E402
 from page import KEPT, TOPICS, all_numbers, failures, module, of_topic, page, verdicts  # noqa: E402
+from predictions import predictions  # noqa: E402
+from rows import read_records  # noqa: E402
 
 RUN = "/usr/bin/python3", ROOT / "validation/run.py"
 
@@ -52,6 +55,19 @@ def moved_in_its_file(t):
     first, *others = [verdict for _, verdict in verdicts(numbers)]
     t.assertEqual(first, "**FAIL**")
     t.assertNotIn("**FAIL**", others)
+
+
+@claim("a prediction is met within its target and not met beyond it, and every test of MT Uikku that was run is among them")
+def predictions_may_miss(t):
+    numbers = all_numbers()
+    found = predictions(numbers)
+    run = {row["test"] for row in read_records(ROOT / "cases/uikku_ice/results.csv")} - {"403"}
+    t.assertEqual({one.subject.split()[4].rstrip(",") for one in found if "Uikku" in one.subject}, run)
+    for one in found:
+        for value in one.target.outside():
+            t.assertIn("**not met**", replace(one, value=value).line())
+        t.assertIn("| met |", replace(one, value=one.target.wanted).line())
+        t.assertIn(one.line(), page(numbers))
 
 
 @claim("what a verdict on the paper stands on are numbers of rows")

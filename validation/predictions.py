@@ -1,0 +1,44 @@
+"""Predictions whose targets were stated before the runs. Unlike a row, one that misses its target is a result and does not make the page fail."""
+
+from dataclasses import dataclass
+
+from rows import Within, read_records, shown
+from runner import ROOT
+from topics.ship import resistance
+
+UIKKU = ROOT / "cases/uikku_ice"
+TARGETED = ("103", "104", "205", "302")  # in thin ice at higher speed, test 403, the sheet may buckle
+
+
+@dataclass(frozen=True)
+class Prediction:
+    subject: str
+    reference: str  # where the measured or published value is from
+    value: float
+    unit: str
+    target: Within
+
+    def line(self):
+        """Of the page's table."""
+        difference = f"{100 * (self.value / self.target.wanted - 1):+.0f} %".replace("-", "−")
+        verdict = "met" if self.target.holds(self.value) else "**not met**"
+        return f"| {self.subject} | {self.reference} | {shown(self.value, self.unit)} | {self.target.text(self.unit)} | {difference} | {verdict} |"
+
+
+def predictions(numbers):
+    """`numbers`: of all topics, "topic.quantity" → value."""
+    found = [
+        Prediction("icebreaker without friction, mean resistance over 58 m", "Lindqvist's formula, at rest", numbers["ship.window, mean"], "MN", Within(resistance(), 0.25, True)),
+        Prediction("flat indenter in the edge of a floating sheet, w/h = 2, pressure over σ_c", "Michel and Blanchet (1983), 27 tests", numbers["ice_specimens.edge_narrow"], "", Within(2.97, 0.2, True)),
+    ]  # fmt: skip
+    measured = {row["test"]: 1e3 * float(row["resistance [kN]"]) for row in read_records(UIKKU / "measured.csv")}
+    for row in read_records(UIKKU / "results.csv"):
+        if row["test"] in TARGETED:
+            target = Within(measured[row["test"]], 0.3, True)
+            found.append(Prediction(f"MT Uikku, model test {row['test']}, mean resistance", "Hu and Zhou (2016)", float(row["mean F_x [N]"]), "MN", target))
+    return found
+
+
+def table(numbers):
+    """Lines of markdown."""
+    return ["| prediction | reference | result | target | difference | |", "|---|---|---|---|---|---|", *(one.line() for one in predictions(numbers))]
