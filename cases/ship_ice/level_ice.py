@@ -16,7 +16,6 @@ from pathlib import Path
 
 from resistance import GRAVITY, ShipInIce, cusps, help_of_fields, net_thrust_factor
 
-LAYERS = 3  # with a horizon of two spacings: they crack at the load of theory and at one place (docs/theory/floating_strip.md)
 STEP = 0.5  # over spacing/√(E/ρ), with ρ of the scaled mass; `perimpact check` accepts up to 0.55 for such decks
 RIM_DAMPING = 6.0  # over the natural frequency of heave of the sheet, at its edge: the layer along the edges that absorbs bending waves
 
@@ -25,6 +24,7 @@ RIM_DAMPING = 6.0  # over the natural frequency of heave of the sheet, at its ed
 class LevelIceRun(ShipInIce):
     """A ship, the ice, and how far the ship travels in it. Each field is an option of the command line; its comment is the help."""
 
+    layers: int = 3  # of particles in the thickness; three crack at the load of theory and at one place
     fullness: float = 2.0  # p of the hull: its bow is p B/(2 tan α) long
     freeboard: float = 6.0  # height of the hull above the water [m]
     displacement: float = 22171e3  # mass of the ship [kg]; without effect unless --bollard-pull is given
@@ -43,7 +43,7 @@ class LevelIceRun(ShipInIce):
     @property
     def spacing(self):
         """Δ [m]"""
-        return self.thickness / LAYERS
+        return self.thickness / self.layers
 
     @property
     def bow_length(self):
@@ -137,6 +137,8 @@ def expect_possible(run):
     for name in ("stem", "waterline"):
         if not 0 < getattr(run, name) < 90:
             refuse(f"--{name} is {getattr(run, name):g}, but must be an angle between 0 and 90 degrees.")
+    if run.layers < 2:
+        refuse(f"--layers is {run.layers}, but must be at least 2: one layer does not bend.")
     if 0 < run.astern < run.bow_length:
         refuse(f"--astern is {run.astern:g}, but must be at least the length of the bow ({run.bow_length:g} m), so that the full breadth of the ship is in the ice.")
     if run.compressive_strength <= run.strength:
@@ -152,7 +154,8 @@ def deck(run, title, heading, folder):
     astern = run.astern or run.bow_length
     along = 8 * ceil((astern + run.ahead * run.characteristic_length) / spacing / 8)
     across = 2 * ceil((run.beam / 2 + run.beside * run.characteristic_length) / spacing)
-    long, wide, edge, layer = along * spacing, across * spacing, 3 * spacing, f"{spacing / 2:.4g} m"
+    long, wide, edge = along * spacing, across * spacing, 3 * spacing
+    layer, height = f"{spacing / 2:.4g} m", "0" if run.layers % 2 else f"{spacing / 2:.4g}"  # of the fixed layer: one alone lets the edge rotate
     draft = run.thickness * run.ice / run.water
     scaling, rim = run.mass_scaling, run.characteristic_length
     heave = sqrt(run.water * GRAVITY / (run.ice * scaling * run.thickness))  # [rad/s]
@@ -177,9 +180,9 @@ time: {{end: {run.ends:.5g} s, step: {1e3 * run.step:.3g} ms}}                 #
 
 bodies:
   sheet:
-    shape: {{box: {{size: [{metres(long, along, written)} m, {metres(wide, across, written)} m, {metres(run.thickness, LAYERS, written)} m]}}}}
+    shape: {{box: {{size: [{metres(long, along, written)} m, {metres(wide, across, written)} m, {metres(run.thickness, run.layers, written)} m]}}}}
     position: [{-long / 2:.6g} m, 0, {run.thickness / 2 - draft:.4g} m]         # in floating equilibrium
-    spacing: {written} m                       # {along} x {across} x {LAYERS} particles
+    spacing: {written} m                       # {along} x {across} x {run.layers} particles
     horizon_ratio: 2.015
     bending_calibration: z
     mass_scaling: {scaling:.3g}                            # the water that moves with a cusp{f", and the inertial forces of {run.inertial_speed:g} m/s" if run.inertial_speed > run.speed else ""}
@@ -192,10 +195,10 @@ bodies:
       # brittle in uniaxial compression, ductile under confinement, granular once crushed
       plasticity: {{compressive_strength: {1e-6 * run.compressive_strength:g} MPa, failure_strain: 0.003, failure_pressure: 0.2, failure_width: 3, friction_angle: 30 deg}}
     failure: {{no_fail: [far_end, port, starboard]}}
-    particle_sets:                                 # of the middle layer, three spacings deep
-      far_end: {{shape: {{box: {{size: [{edge:.5g} m, {wide + 1:.4g} m, {layer}]}}}}, position: [{(edge - long) / 2:.6g} m, 0, 0]}}
-      port: {{shape: {{box: {{size: [{long - edge:.6g} m, {edge:.5g} m, {layer}]}}}}, position: [{edge / 2:.5g} m, {(edge - wide) / 2:.6g} m, 0]}}
-      starboard: {{shape: {{box: {{size: [{long - edge:.6g} m, {edge:.5g} m, {layer}]}}}}, position: [{edge / 2:.5g} m, {(wide - edge) / 2:.6g} m, 0]}}
+    particle_sets:                                 # of the {"" if run.layers % 2 else "upper "}middle layer, three spacings deep
+      far_end: {{shape: {{box: {{size: [{edge:.5g} m, {wide + 1:.4g} m, {layer}]}}}}, position: [{(edge - long) / 2:.6g} m, 0, {height}]}}
+      port: {{shape: {{box: {{size: [{long - edge:.6g} m, {edge:.5g} m, {layer}]}}}}, position: [{edge / 2:.5g} m, {(edge - wide) / 2:.6g} m, {height}]}}
+      starboard: {{shape: {{box: {{size: [{long - edge:.6g} m, {edge:.5g} m, {layer}]}}}}, position: [{edge / 2:.5g} m, {(wide - edge) / 2:.6g} m, {height}]}}
       # of all layers, one characteristic length wide
       far_rim: {{shape: {{box: {{size: [{rim:.5g} m, {wide + 1:.4g} m, {2 * ceil(run.thickness / 2 + 1)} m]}}}}, position: [{(rim - long) / 2:.6g} m, 0, 0]}}
       port_rim: {{shape: {{box: {{size: [{long + 1:.6g} m, {rim:.5g} m, {2 * ceil(run.thickness / 2 + 1)} m]}}}}, position: [0, {(rim - wide) / 2:.6g} m, 0]}}
@@ -243,7 +246,7 @@ def main():
         if field.name in formulas_alone:
             continue
         absent = f"; {field.default:g} where absent" if field.default else ""
-        parser.add_argument("--" + field.name.replace("_", "-"), type=float, default=field.default, help=descriptions[field.name] + absent)
+        parser.add_argument("--" + field.name.replace("_", "-"), type=type(field.default), default=field.default, help=descriptions[field.name] + absent)
     parser.add_argument("--out", type=Path, required=True, help="file of the deck, which must not exist")
     given = vars(parser.parse_args())
     out = given.pop("out")

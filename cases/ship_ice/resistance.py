@@ -8,6 +8,7 @@ SI units; angles in degrees. Formulas, symbols, sources and ranges of validity: 
 """
 
 import argparse
+import re
 from dataclasses import dataclass, fields, replace
 from math import atan, cos, inf, pi, radians, sin, sqrt, tan
 
@@ -130,7 +131,7 @@ def held_speed(ship, formula):
 def help_of_fields(file):
     """The comments of the fields of a dataclass in this source file, by their names."""
     with open(file, encoding="utf-8") as lines:
-        return {line.split(":")[0].strip(): line.split("# ")[1].strip().replace("%", "%%") for line in lines if ": float = " in line and "# " in line}
+        return {line.split(":")[0].strip(): line.split("# ")[1].strip().replace("%", "%%") for line in lines if re.match(r"    \w+: (float|int) = .*# ", line)}
 
 
 def options():

@@ -9,7 +9,7 @@ ROOT = Path(__file__).resolve().parents[3]
 SCRIPT = ROOT / "cases/ship_ice/level_ice.py"
 sys.path[:0] = [str(ROOT / "tests/cli"), str(ROOT / "cases/ship_ice")]
 from claims import claim, main  # noqa: E402
-from level_ice import LAYERS, LevelIceRun, deck  # noqa: E402
+from level_ice import LevelIceRun, deck  # noqa: E402
 
 # another ship than those of the cases, in thinner and stronger ice
 OPTIONS = ["--length", "120", "--beam", "20", "--draft", "7", "--stem", "28", "--waterline", "26", "--fullness", "1.6", "--displacement", "11000e3", "--friction", "0.1",
@@ -44,7 +44,7 @@ def whole(t):
         text = deck(LevelIceRun(thickness=hundredths / 100), "title", "# heading", "results/r")
         sizes = re.search(r"box: {size: \[(\S+) m, (\S+) m, (\S+) m\]}}\n", text).groups()
         counts = re.search(r"spacing: (\S+) m +# (\d+) x (\d+) x", text).groups()
-        for size, count in zip(sizes, (*counts[1:], LAYERS)):
+        for size, count in zip(sizes, (*counts[1:], 3)):
             t.assertLess(abs(float(size) / float(counts[0]) / int(count) - 1), 1e-6, hundredths)  # which the program accepts
 
 
@@ -91,6 +91,23 @@ def inertial(t):
     t.expect_no_warning("check", "ship.yaml", "--out", "checked")
 
 
+@claim("level ice: with four layers spacing and step are smaller, the strength is the same, and one layer alone is fixed at the edges, which can rotate")
+def layers(t):
+    write(t, *OPTIONS)
+    three = (t.folder / "ship.yaml").read_text(encoding="utf-8")
+    (t.folder / "ship.yaml").unlink()
+    t.assertEqual(write(t, *OPTIONS, "--layers", "4").returncode, 0)
+    four = (t.folder / "ship.yaml").read_text(encoding="utf-8")
+    for pattern in (r"spacing: ([\d.]+) m", r"step: ([\d.]+) ms"):
+        before, after = (float(re.search(pattern, text)[1]) for text in (three, four))
+        t.assertAlmostEqual(after / before, 3 / 4, delta=0.004)  # three digits are written
+    checked = t.expect_no_warning("check", "ship.yaml", "--out", "checked").out
+    t.assertIn(f"flexural strength {550e3 * 15 / 16:.4g} Pa with 4 layers", checked)
+    counts = [int(count.replace(" ", "")) for count in re.search(r"spacing: \S+ m +# (\d+) x (\d+) x 4 particles", four).groups()]
+    fixed = {name: int(count) for name, count in re.findall(r"sheet\.(ahead|left|right) +fixed, (\d+) particles", checked)}
+    t.assertEqual(fixed, {"ahead": 3 * counts[1], "left": 3 * (counts[0] - 3), "right": 3 * (counts[0] - 3)})
+
+
 @claim("level ice: with more ice behind the stem the sheet is longer by as much and the window follows later; the ship travels as far")
 def astern(t):
     def numbers(*options):
@@ -102,7 +119,7 @@ def astern(t):
 
     (length, start, end), (longer, later, same_end) = numbers(), numbers("--astern", "80")
     t.assertEqual((later, same_end), (80, end))
-    t.assertAlmostEqual(longer - length, 80 - start, delta=8 * 0.8 / LAYERS)  # lengths are multiples of eight spacings
+    t.assertAlmostEqual(longer - length, 80 - start, delta=8 * 0.8 / 3)  # lengths are multiples of eight spacings
     write(t, *OPTIONS, "--astern", "80")
     t.expect_no_warning("check", "ship.yaml", "--out", "checked")
 
@@ -117,6 +134,7 @@ def refused(t):
         (["--ahead=-1"], "--ahead is -1, but must be positive."),
         (["--friction=-0.1"], "--friction is -0.1, but must not be negative."),
         (["--inertial-speed=-1"], "--inertial-speed is -1, but must not be negative."),
+        (["--layers", "1"], "--layers is 1, but must be at least 2"),
         (["--astern", "20"], "--astern is 20, but must be at least the length of the bow (33 m)"),
         (["--bollard-pull", "5e5"], "--open-water-speed is 0, but must exceed --speed (1.5)"),
         (["--open-water-speed", "8"], "--open-water-speed is given without --bollard-pull"),
