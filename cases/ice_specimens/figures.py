@@ -13,7 +13,7 @@ matplotlib.use("Agg")
 import matplotlib.pyplot as plt  # noqa: E402
 import numpy as np  # noqa: E402
 from measure import (  # noqa: E402
-    DROP_RADIUS, EDGES, STRENGTH, TENSION, ball, bending, cap, centre_pressure, compression, drop, edge, indentation, iso_global, local_design, nested, options, punch, run, splitting, tension)  # fmt: skip
+    DROP_RADIUS, EDGES, TENSION, ball, bending, cap, centre_pressure, compression, drop, edge, indentation, iso_global, local_design, nested, options, punch, run, splitting, strength, tension)  # fmt: skip
 
 CASE = Path(__file__).resolve().parent
 sys.path.insert(0, str(CASE.parents[1] / "scripts/results"))
@@ -75,7 +75,7 @@ def edge_from_above(axes, folder):
 
 def specimens(folder):
     figure, ((a, b, c), (d, e, f)) = plt.subplots(2, 3, figsize=(13, 7.5))
-    line(a, [(100 * s, p / 1e6) for s, p in compression(folder / "compression")], "compression of a prism", "strain [%]", "stress [MPa]", STRENGTH / 1e6,
+    line(a, [(100 * s, p / 1e6) for s, p in compression(folder / "compression")], "compression of a prism", "strain [%]", "stress [MPa]", strength(folder / "compression") / 1e6,
          "compressive_strength")
     line(b, [(t, p / 1e6) for t, p, broken in bending(folder / "bending")], "four-point bending", "time [s]", "stress at the surface [MPa]", 0.5, "flexural_strength")
     line(c, [(100 * w, p) for w, p in punch(folder / "punch")], "punch of 16 particles, plane strain", "depth [% of the width]", "pressure/σ_c", HILL, "Hill")
@@ -100,11 +100,11 @@ def edges_and_impacts(folder):
     figure, ((a, b, c, d), (e, f, g, h)) = plt.subplots(2, 4, figsize=(17, 7.8))
     line(a, [(1e3 * s, p / 1e6) for s, p, _ in splitting(folder / "brazilian")], "splitting of a disc, tension of the prism (dashed)", "shortening [mm]", "stress [MPa]",
          0.8 * TENSION / 0.918 / 1e6, "0.8 E s_c/0.918")
-    a.plot(*np.array([(190 * s, p / 1e6) for s, p in tension(folder / "tension")]).T, "--", color="C1")
+    a.plot(*np.array([(190 * s, p / 1e6) for s, p, _ in tension(folder / "tension")]).T, "--", color="C1")
     half_of_disc(b, folder / "brazilian")
     for name, (thickness, _, width) in EDGES.items():
         curve = np.array(edge(folder / name))
-        c.plot(1e3 * curve[:, 0], curve[:, 2] / STRENGTH, label=name)
+        c.plot(1e3 * curve[:, 0], curve[:, 2] / strength(folder / name), label=name)
         panels = np.array(nested(folder / name, "indenter"))
         d.loglog(panels[:, 0], panels[:, 1] / 1e6, ".-", label=name)
         depth = curve[-1, 0]

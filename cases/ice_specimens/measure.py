@@ -25,10 +25,9 @@ from pathlib import Path
 import numpy as np
 
 sys.path.insert(0, str(Path(__file__).resolve().parent / "../../scripts/results"))
-from results_folder import Named, options, records, refuse, run  # noqa: E402
+from results_folder import Named, options, records, refuse, report_of, run  # noqa: E402
 from vtp_reader import picture_at  # noqa: E402
 
-STRENGTH = 2.3e6  # [Pa] of all decks but ball and drop
 TENSION = 0.576e6  # [Pa] E s_c
 SIDE = 0.1  # [m] of the prism
 CRUSHED = 0.005  # [-] strain beyond which the prism is crushed
@@ -59,6 +58,18 @@ def numbers(folder, table):
     return [Named({key.split(" [")[0]: float(value) for key, value in row.items()}, row.owner) for row in records(folder, table)]
 
 
+def strength(folder, body="ice"):
+    """[Pa] uniaxial compressive strength that the deck gives."""
+    return report_of(folder)["setup"]["bodies"][body]["material"]["plasticity"]["compressive_strength"]
+
+
+def until_broken(folder, curve):
+    """Stresses of the rows before the first bond breaks; `curve`: (…, stress, broken bonds) of each row."""
+    if curve[-1][-1] == 0:
+        refuse(f"{folder} ended before a bond broke; its largest stress is no strength. Repeat it with a longer time.end (docs/guide/calibration.md).")
+    return [stress for *_, stress, broken in curve if broken == 0]
+
+
 def energy_error(rows, *works):
     work = max(abs(sum(row[name] for name in works)) for row in rows)
     return max(abs(row["total.energy_balance_error"]) for row in rows) / work
@@ -81,8 +92,8 @@ def platens(row):
 
 
 def tension(folder):
-    """(strain [-] of the whole prism, mean stress [Pa]) of each row."""
-    return [(2 * ramped(row["time"], 2.4e-3, 0.01) / 0.19, -platens(row) / SIDE**2) for row in history(folder)]
+    """(strain [-] of the whole prism, mean stress [Pa], broken bonds) of each row."""
+    return [(2 * ramped(row["time"], 2.4e-3, 0.01) / 0.19, -platens(row) / SIDE**2, row["ice.broken_bonds"]) for row in history(folder)]
 
 
 def splitting(folder):
@@ -100,7 +111,7 @@ def bending(folder):
 def punch(folder):
     """(depth over width [-], mean pressure over the compressive strength [-]) of each row."""
     width, depth = PUNCH
-    return [(ramped(row["time"], 4e-3, 0.15) / width, -row["block.punch.force_z"] / (width * depth) / STRENGTH) for row in history(folder)]
+    return [(ramped(row["time"], 4e-3, 0.15) / width, -row["block.punch.force_z"] / (width * depth) / strength(folder, "block")) for row in history(folder)]
 
 
 def cap(radius, depth):
@@ -201,16 +212,18 @@ def of_prisms(folder):
         found["crushed strength [MPa]"] = max(stress for _, stress in curve) / 1e6
         after = [stress for strain, stress in curve if strain > CRUSHED]
         if after:  # a run of its first part has none
-            found["crushed residual strength [-]"] = sum(after) / len(after) / STRENGTH
+            found["crushed residual strength [-]"] = sum(after) / len(after) / strength(folder / "crushed")
         found["crushed energy error [-]"] = energy_error(history(folder / "crushed"), "ice.top.work", "ice.bottom.work")
     if (folder / "tension").is_dir():
-        found["tensile strength [MPa]"] = max(stress for _, stress in tension(folder / "tension")) / 1e6
+        curve = tension(folder / "tension")
+        until_broken(folder / "tension", curve)
+        found["tensile strength [MPa]"] = max(stress for _, stress, _ in curve) / 1e6
         found["tension energy error [-]"] = energy_error(history(folder / "tension"), "ice.top.work", "ice.bottom.work")
     if (folder / "brazilian").is_dir():
-        found["splitting strength [MPa]"] = max(stress for _, stress, broken in splitting(folder / "brazilian") if broken == 0) / 1e6
+        found["splitting strength [MPa]"] = max(until_broken(folder / "brazilian", splitting(folder / "brazilian"))) / 1e6
         found["splitting energy error [-]"] = energy_error(history(folder / "brazilian"), "ice.top.work", "ice.bottom.work")
     if (folder / "bending").is_dir():
-        found["flexural strength [MPa]"] = max(stress for _, stress, broken in bending(folder / "bending") if broken == 0) / 1e6
+        found["flexural strength [MPa]"] = max(until_broken(folder / "bending", bending(folder / "bending"))) / 1e6
         found["bending energy error [-]"] = energy_error(history(folder / "bending"), "ice.load_left.work", "ice.load_right.work")
     return found
 
@@ -229,7 +242,7 @@ def of_indenters(folder):
         if not (folder / name).is_dir():
             continue
         curve = edge(folder / name)
-        found[f"{name} [-]"] = late([pressure for *_, pressure in curve]) / STRENGTH
+        found[f"{name} [-]"] = late([pressure for *_, pressure in curve]) / strength(folder / name)
         found[f"{name} over ISO [-]"] = late([pressure / iso_global(thickness, width(depth)) for depth, _, pressure in curve])
         found[f"{name} energy error [-]"] = energy_error(history(folder / name), "indenter.contact_work")
     return found

@@ -1,6 +1,7 @@
 """Specimens of ice that yields: what they carry, and that their energy closes."""
 
 import re
+import subprocess
 import sys
 from pathlib import Path
 
@@ -91,6 +92,14 @@ def tension(scene):
     found = measure(scene.folder / "specimens")
     scene.assertAlmostEqual(found["tensile strength [MPa]"] / 0.511, 1, delta=0.02)
     scene.assertLess(found["tension energy error [-]"], 1e-5)
+
+
+@claim("ice_specimens: a specimen that ended before it broke has no strength, and measure.py refuses it")
+def unbroken(scene):
+    scene.expect_success("run", CASE / "tension.yaml", "--out", "specimens/tension", "--set", "output.frames=0", "--set", "time.end=2 ms")
+    done = subprocess.run([sys.executable, CASE / "measure.py", scene.folder / "specimens"], capture_output=True, text=True, check=False)
+    scene.assertEqual((done.returncode, done.stdout), (2, ""))
+    scene.assertIn("tension ended before a bond broke", done.stderr)
 
 
 @claim("ice_specimens: a ball that only yields rebounds with less than a fifth of its speed, and its energy closes")
