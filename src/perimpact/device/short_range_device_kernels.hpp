@@ -36,17 +36,17 @@ struct SlotOfBody {
 
 inline constexpr std::size_t moved_block = 64;  // particles, or numbers of blocks, of a thread
 
-/// Displacements of one in so many particles since the list was built.
+/// Extremes of the displacements of one in so many particles since the list was built.
 struct MovedKernel {
   const ArraysOfBody* bodies;
   const SlotOfBody* particles;
   std::size_t count;
   std::array<const double*, 3> reference;  // [m]
   Vec3d drift;                             // [m]
-  NearPairs::Moved* moved;                 // of each thread
+  DisplacementExtremes* moved;             // of each thread
 
   FCCDA_HD void operator()(std::size_t block) const {
-    NearPairs::Moved all;
+    DisplacementExtremes all;
     // neighbouring threads read neighbouring particles
     for (std::size_t p = block, blocks = (count + moved_block - 1) / moved_block; p < count; p += blocks) {
       const Vec3d by = bodies[particles[p].body].position_at(particles[p].slot) - Vec3d{reference[0][p], reference[1][p], reference[2][p]};
@@ -58,12 +58,12 @@ struct MovedKernel {
 
 /// The same of a block of blocks.
 struct MovedTogetherKernel {
-  const NearPairs::Moved* of_blocks;
+  const DisplacementExtremes* of_blocks;
   std::size_t count;
-  NearPairs::Moved* moved;
+  DisplacementExtremes* moved;
 
   FCCDA_HD void operator()(std::size_t block) const {
-    NearPairs::Moved all;
+    DisplacementExtremes all;
     for (std::size_t n = block * moved_block; n < (block + 1) * moved_block && n < count; ++n) all.include(of_blocks[n]);
     moved[block] = all;
   }

@@ -42,7 +42,7 @@ class ShortRangePasses {
     return array;
   }
   void upload_list(ShortRange& contact, std::span<const ContactingBody> bodies);
-  NearPairs::Moved moved(const NearPairs& pairs);
+  DisplacementExtremes moved(const NearPairs& pairs);
   void insert_broken_pairs(const NearPairs& pairs, const ShortRangeView& view);
 
   Device* device_;
@@ -54,7 +54,7 @@ class ShortRangePasses {
   DeviceArray<ArraysOfBody> arrays_;
   DeviceArray<SlotOfBody> particles_;
   std::array<DeviceArray<double>, 3> reference_;
-  DeviceArray<NearPairs::Moved> moved_, moved_together_;
+  DeviceArray<DisplacementExtremes> moved_, moved_together_;
   DeviceArray<std::uint32_t> slots_, list_, first_member_;
   std::size_t eights_ = 0, times_exposed_ = 0;
   DeviceArray<PairSum> pair_sums_, sums_;
@@ -65,7 +65,7 @@ void ShortRangePasses::add_forces(ShortRange& contact, std::span<const Contactin
   NearPairs& pairs = contact.near_pairs();
   contact.reserve_all_pairs();  // the kernel that inserts pairs reports nothing
   if (!is_here_) pairs.forget();
-  if (pairs.needs_new_list(bodies, is_here_ ? moved(pairs) : NearPairs::Moved{})) {
+  if (pairs.needs_new_list(bodies, is_here_ ? moved(pairs) : DisplacementExtremes{})) {
     to_host(contact);
     for (BodyPasses* body : bodies_) body->motion().to_host();
     contact.make_list(bodies);
@@ -111,8 +111,8 @@ void ShortRangePasses::upload_list(ShortRange& contact, std::span<const Contacti
     reference_[c] = DeviceArray<double>(*device_, particles.size());
     device_->upload(reference_[c].data(), pairs.reference_positions().component(c), particles.size() * sizeof(double));
   }
-  moved_ = DeviceArray<NearPairs::Moved>(*device_, blocks_of(particles.size()));
-  moved_together_ = DeviceArray<NearPairs::Moved>(*device_, blocks_of(blocks_of(particles.size())));
+  moved_ = DeviceArray<DisplacementExtremes>(*device_, blocks_of(particles.size()));
+  moved_together_ = DeviceArray<DisplacementExtremes>(*device_, blocks_of(blocks_of(particles.size())));
 
   std::vector<std::uint32_t> slots;
   for (const NearPairs::Member& member : members) slots.push_back(member.slot);
@@ -125,17 +125,17 @@ void ShortRangePasses::upload_list(ShortRange& contact, std::span<const Contacti
   sums_ = DeviceArray<PairSum>(*device_, eights_);
 }
 
-NearPairs::Moved ShortRangePasses::moved(const NearPairs& pairs) {
+DisplacementExtremes ShortRangePasses::moved(const NearPairs& pairs) {
   const std::size_t particles = pairs.particles().size(), blocks = blocks_of(particles);
   device_->launch(
       MovedKernel{
           arrays_.data(), particles_.data(), particles, {reference_[0].data(), reference_[1].data(), reference_[2].data()}, pairs.drift(), moved_.data()},
       blocks);
   device_->launch(MovedTogetherKernel{moved_.data(), blocks, moved_together_.data()}, blocks_of(blocks));
-  std::vector<NearPairs::Moved> of_blocks(blocks_of(blocks));
-  device_->download(of_blocks.data(), moved_together_.data(), of_blocks.size() * sizeof(NearPairs::Moved));
-  NearPairs::Moved all;
-  for (const NearPairs::Moved& moved : of_blocks) all.include(moved);
+  std::vector<DisplacementExtremes> of_blocks(blocks_of(blocks));
+  device_->download(of_blocks.data(), moved_together_.data(), of_blocks.size() * sizeof(DisplacementExtremes));
+  DisplacementExtremes all;
+  for (const DisplacementExtremes& moved : of_blocks) all.include(moved);
   return all;
 }
 
@@ -170,7 +170,7 @@ DeviceTraffic ShortRangeOnDevice::traffic_of_step(const ShortRange& contact) {
   const NearPairs& pairs = contact.near_pairs();
   const std::size_t eights = device::first_members(pairs.members()).size() - 1;
   const std::size_t blocks = device::blocks_of(device::blocks_of(pairs.particles().size()));
-  return {.uploaded = 0, .downloaded = eights * sizeof(PairSum) + blocks * sizeof(NearPairs::Moved)};
+  return {.uploaded = 0, .downloaded = eights * sizeof(PairSum) + blocks * sizeof(DisplacementExtremes)};
 }
 
 }  // namespace perimpact

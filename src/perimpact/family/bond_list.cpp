@@ -7,6 +7,7 @@
 
 #include "base/parallel.hpp"
 #include "perimpact/family/slot_tree.hpp"
+#include "perimpact/family/stencil.hpp"
 
 namespace perimpact {
 
@@ -57,13 +58,13 @@ class BondSearch {
 
  private:
   static double mean_size(double one, double other) { return 0.5 * (one + other); }
-  bool reaches_beyond() const { return rule_ == FamilyRule::hu_ha_bobaru; }
   bool are_bonded(std::size_t i, std::size_t j, double squared) const {
     const double length = std::sqrt(squared);
-    return reaches_beyond() ? length < horizon_ + 0.5 * mean_size(size_[i], size_[j]) : length <= horizon_;
+    const double longest = reach(size_[i], size_[j]);
+    return rule_ == FamilyRule::hu_ha_bobaru ? length < longest : length <= longest;
   }
   /// [m] bonds of a particle of this size to those of another end here
-  double reach(double size, double of_other) const { return reaches_beyond() ? horizon_ + 0.5 * mean_size(size, of_other) : horizon_; }
+  double reach(double size, double of_other) const { return horizon_ + reach_beyond_horizon(rule_) * mean_size(size, of_other); }
 
   /// Calls visit(eight, squared, bits) for each eight slots with neighbours, in ascending order.
   template <class Visit>
@@ -98,7 +99,7 @@ BondList find_bonds(FamilyRule rule, double horizon, const Particles& particles)
     fccda::parallel_for(static_cast<std::ptrdiff_t>(eights), [&](std::ptrdiff_t eight) { f(static_cast<std::size_t>(eight)); });
   };
 
-  BondList list{.horizon = horizon};
+  BondList list{.horizon = horizon, .beyond_horizon = reach_beyond_horizon(rule)};
   list.begin.assign(eights + 1, 0);
   for_each_eight([&](std::size_t eight) {
     for (std::size_t slot = eight * byte_lanes; slot < (eight + 1) * byte_lanes; ++slot)

@@ -42,7 +42,9 @@ class Family {
   const Stencil* stencil() const { return std::get_if<Stencil>(&geometry_); }            ///< null for a list
   const BondList* list() const { return std::get_if<BondList>(&geometry_); }             ///< null for a stencil
   double horizon() const { return stencil() ? stencil()->horizon() : list()->horizon; }  ///< [m] δ
-  std::span<const std::ptrdiff_t> offsets() const { return offsets_; }                   ///< in slots, of each bond of the stencil
+  /// [m] Length that bonds do not exceed; two particles of this mean size [m] that are nearer have a bond initially.
+  double reach(double size) const { return horizon() + (stencil() ? stencil()->beyond_horizon() : list()->beyond_horizon) * size; }
+  std::span<const std::ptrdiff_t> offsets() const { return offsets_; }  ///< in slots, of each bond of the stencil
 
   /// Bonds of slots 8·eight … 8·eight + 7 are rows begin(eight) … begin(eight + 1) - 1 of all; a row has one byte.
   std::size_t begin(std::size_t eight) const { return stencil() ? eight * offsets_.size() : list()->begin[eight]; }

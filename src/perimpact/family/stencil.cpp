@@ -6,9 +6,9 @@
 namespace perimpact {
 
 Stencil::Stencil(FamilyRule rule, double spacing, double horizon_ratio, const std::optional<double>& thickness)
-    : spacing_(spacing), horizon_(horizon_ratio * spacing) {
+    : spacing_(spacing), horizon_(horizon_ratio * spacing), beyond_horizon_(reach_beyond_horizon(rule)) {
   // in spacings, so that the result does not depend on rounding of the unit
-  const double cut = rule == FamilyRule::hu_ha_bobaru ? horizon_ratio + 0.5 : horizon_ratio;
+  const double cut = horizon_ratio + beyond_horizon_;
   const int range = static_cast<int>(std::ceil(cut)), layers = thickness ? 0 : range;
   const double cell_volume = spacing * spacing * thickness.value_or(spacing);
   for (int dk = -layers; dk <= layers; ++dk)

@@ -24,6 +24,9 @@ inline double stretch_of_unit_pull(const Vec3d& direction, std::size_t p, double
   return np2 - poissons_ratio * (1 - np2);
 }
 
+/// Length by which bonds may exceed the horizon, over the mean size of both particles (Stencil).
+constexpr double reach_beyond_horizon(FamilyRule rule) { return rule == FamilyRule::hu_ha_bobaru ? 0.5 : 0; }
+
 /// Partial volumes follow the line v = (δ + Δ/2 - |ξ|)/Δ, at most 1. Hu, Ha and Bobaru (Comput. Methods Appl. Mech. Eng. 217 (2012) 247)
 /// let it decrease to 0 at |ξ| = δ + Δ/2; Madenci and Oterkus truncate it at |ξ| = δ, where it is one half.
 /// Bonds are sorted by plane, row and column, so that a sweep reads memory sequentially.
@@ -34,12 +37,13 @@ class Stencil {
 
   const std::vector<StencilBond>& bonds() const { return bonds_; }
   std::size_t size() const { return bonds_.size(); }
-  double horizon() const { return horizon_; }  ///< [m] δ
-  double spacing() const { return spacing_; }  ///< [m] Δ
-  int reach() const { return reach_; }         ///< in cells
+  double horizon() const { return horizon_; }                ///< [m] δ
+  double beyond_horizon() const { return beyond_horizon_; }  ///< in spacings: bonds are shorter than the horizon and this
+  double spacing() const { return spacing_; }                ///< [m] Δ
+  int reach() const { return reach_; }                       ///< in cells
 
  private:
-  double spacing_, horizon_;
+  double spacing_, horizon_, beyond_horizon_;
   int reach_ = 0;
   std::vector<StencilBond> bonds_;
 };

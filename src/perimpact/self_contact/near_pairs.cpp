@@ -16,41 +16,9 @@ using Pack = fccda::NativePack;
 
 constexpr std::size_t block = 256;  // particles per task of a thread
 
-/// Skin in mean spacings of the finest body. Measured (benchmarks/fragments): where a quarter or all of a plate disperses at a hundredth of the speed of
+/// Skin in spacings of the finest body. Measured (benchmarks/fragments): where a quarter or all of a plate disperses at a hundredth of the speed of
 /// sound, 0.35 and 0.75 cost 3 to 7 and 9 to 38 % more: a thin skin needs more rebuilds, a thick one has more pairs.
 constexpr double skin_ratio = 0.5;
-/// In spacings: the least skin, and what a lattice may be compressed before pairs beyond its horizon enter the list.
-constexpr double least_skin_ratio = 0.1, compression_ratio = 0.02;
-
-/// Smallest distance between two particles of a lattice that exceeds `least`, in spacings; `dimensions`: 2 or 3.
-double next_lattice_distance(double least, int dimensions) {
-  const auto is_square = [](int n) {
-    const int root = static_cast<int>(std::lround(std::sqrt(n)));
-    return root * root == n;
-  };
-  const auto is_distance = [&](int n) {
-    for (int k = 0; k * k <= (dimensions == 3 ? n : 0); ++k)
-      for (int j = 0; k * k + j * j <= n; ++j)
-        if (is_square(n - k * k - j * j)) return true;
-    return false;
-  };
-  int n = static_cast<int>(std::floor(least * least * (1 + 1e-9))) + 1;
-  while (!is_distance(n)) ++n;
-  return std::sqrt(n);
-}
-
-/// Skin [m]: within the horizon an undamaged lattice has no pairs, beyond it each particle has dozens. If the first ones beyond are only a little out of
-/// reach, the skin leaves them out: with a horizon of 2.015 spacings, a sheet of ice has a sixth of the pairs.
-double skin_of(std::span<const ContactingBody> bodies, double finest, double reach) {
-  double skin = skin_ratio * finest;
-  for (const ContactingBody& body : bodies) {
-    if (body.family.stencil() == nullptr) continue;
-    const double spacing = body.particles.spacing();
-    const double room = (next_lattice_distance(body.family.horizon() / spacing, body.particles.is_plane() ? 2 : 3) - compression_ratio) * spacing - reach;
-    if (room >= least_skin_ratio * finest) skin = std::min(skin, room);
-  }
-  return skin;
-}
 
 // marks of a cell
 constexpr std::uint8_t holds_lost = 1;      // contains a particle that has lost a bond
@@ -61,20 +29,26 @@ constexpr std::uint8_t is_near = 8;         // itself or a neighbour contains on
 }  // namespace
 
 NearPairs::NearPairs(const ShortRangeLaw& law, std::span<const ContactingBody> bodies) : law_(law) {
-  double finest = std::numeric_limits<double>::infinity(), largest = 0;
+  double finest = std::numeric_limits<double>::infinity();
   std::uint64_t first_id = 0;
+  std::vector<double> extremes = {0};  // [m] largest size of all particles, and minus the smallest of each body
   for (const ContactingBody& body : bodies) {
     const Particles& particles = body.particles;
     finest = std::min(finest, particles.spacing());
     shares_.emplace_back(particles.share());
     particle_at_.emplace_back(particles.slots(), none);
-    for (const std::uint32_t slot : particles.slot_of()) largest = std::max(largest, particles.size_of(slot));
     first_ids_.push_back(first_id);
     first_id += particles.slots_of_whole();
+    double& minus_smallest = extremes.emplace_back(-std::numeric_limits<double>::infinity());
+    for (const std::uint32_t slot : particles.slot_of()) {
+      const double size = particles.size_of(slot);
+      extremes[0] = std::max(extremes[0], size), minus_smallest = std::max(minus_smallest, -size);
+    }
   }
-  largest = ranks().max(largest);
-  longest_ = weight_reach * law.distance_ratio * largest;
-  skin_ = skin_of(bodies, finest, longest_);
+  ranks().max(extremes);
+  longest_ = weight_reach * law.distance_ratio * extremes[0];
+  skin_ = skin_ratio * finest;
+  for (std::size_t b = 0; b < bodies.size(); ++b) bonded_within_.push_back((1 - 1e-9) * bodies[b].family.reach(-extremes[1 + b]));
   first_pair_.assign(1, 0);
   list_particles(bodies);
 }
@@ -104,7 +78,7 @@ void NearPairs::forget() {
   exposures_.clear();
 }
 
-bool NearPairs::needs_new_list(std::span<const ContactingBody> bodies, const Moved& moved) {
+bool NearPairs::needs_new_list(std::span<const ContactingBody> bodies, const DisplacementExtremes& of_own) {
   bool is_valid = is_known_;
   if (exposures_.empty())
     for (const ContactingBody& body : bodies) exposures_.emplace_back(body.particles, body.family, body.broken_ends);
@@ -121,7 +95,7 @@ bool NearPairs::needs_new_list(std::span<const ContactingBody> bodies, const Mov
       ++times_exposed_;
     }
   }
-  const bool has_moved = has_moved_by_skin(moved);
+  const bool has_moved = has_moved_by_skin(of_own);
   return ranks().any(!is_valid) || has_moved;
 }
 
@@ -139,55 +113,13 @@ std::vector<std::uint32_t> NearPairs::members_with_broken_bonds() const {
   return found;
 }
 
-/// Includes the displacements of the particles first to last - 1 of a run, whose number is a multiple of the lanes. `position`, `reference`: of the run.
-template <class P>
-void include_displacements(std::size_t first, std::size_t last, const std::array<const double*, 3>& position, const std::array<const double*, 3>& reference,
-                           const Vec3d& drift, NearPairs::Moved& moved) {
-  const P least(-NearPairs::Moved::infinity);
-  std::array<P, 7> most = {least, least, least, least, least, least, P(0.0)};  // of -u, u and the squared distance from the drift
-  for (std::size_t n = first; n < last; n += fccda::lanes<P>) {
-    P squared(0.0);
-    for (std::size_t c = 0; c < 3; ++c) {
-      const P by = fccda::load<P>(position[c] + n) - fccda::load<P>(reference[c] + n), apart = by - P(drift[c]);
-      most[c] = fccda::larger(most[c], P(0.0) - by), most[3 + c] = fccda::larger(most[3 + c], by);
-      squared += apart * apart;
-    }
-    most[6] = fccda::larger(most[6], squared);
-  }
-  std::array<std::array<double, fccda::lanes<P>>, 7> of_lanes;
-  for (std::size_t k = 0; k < most.size(); ++k) fccda::store(of_lanes[k].data(), most[k]);
-  for (std::size_t lane = 0; lane < fccda::lanes<P>; ++lane) {
-    const auto at = [&](std::size_t k) { return of_lanes[k][lane]; };
-    moved.include({{-at(0), -at(1), -at(2)}, {at(3), at(4), at(5)}, at(6)});
-  }
-}
-
-NearPairs::Moved NearPairs::moved(std::span<const ContactingBody> bodies) const {
-  std::vector<Moved> of_run(runs_.size());
-  fccda::parallel_for(static_cast<std::ptrdiff_t>(runs_.size()), [&](std::ptrdiff_t number) {
-    const Run& run = runs_[static_cast<std::size_t>(number)];
-    std::array<const double*, 3> position, reference;
-    for (std::size_t c = 0; c < 3; ++c) {
-      position[c] = bodies[run.body].particles.position.component(c) + run.slot;
-      reference[c] = reference_positions_.component(c) + run.particle;
-    }
-    const std::size_t full = run.count / fccda::lanes<Pack> * fccda::lanes<Pack>;
-    Moved& moved = of_run[static_cast<std::size_t>(number)];
-    include_displacements<Pack>(0, full, position, reference, drift_, moved);
-    include_displacements<double>(full, run.count, position, reference, drift_, moved);
-  });
-  Moved all;
-  for (const Moved& moved : of_run) all.include(moved);
-  return all;
-}
-
 /// The movement of all particles is examined in each step, without their descriptions.
 void NearPairs::list_runs() {
   runs_.clear();
   for (std::size_t p = 0; p < particles_.size(); ++p) {
     const Member& particle = particles_[p];
     if (particle.is_foreign) continue;
-    Run* last = runs_.empty() ? nullptr : &runs_.back();
+    ParticleRun* last = runs_.empty() ? nullptr : &runs_.back();
     const bool continues = last && last->body == particle.body && last->slot + last->count == particle.slot && last->particle + last->count == p;
     if (continues && last->count < block)
       ++last->count;
@@ -196,8 +128,8 @@ void NearPairs::list_runs() {
   }
 }
 
-bool NearPairs::has_moved_by_skin(const Moved& all) {
-  std::array<double, 7> largest = {-all.low.x, -all.low.y, -all.low.z, all.high.x, all.high.y, all.high.z, all.furthest};
+bool NearPairs::has_moved_by_skin(const DisplacementExtremes& of_own) {
+  std::array<double, 7> largest = {-of_own.low.x, -of_own.low.y, -of_own.low.z, of_own.high.x, of_own.high.y, of_own.high.z, of_own.furthest};
   ranks().max(largest);
   const Vec3d low{-largest[0], -largest[1], -largest[2]}, high{largest[3], largest[4], largest[5]};
   drift_ = 0.5 * (low + high);  // the next step's
@@ -307,7 +239,6 @@ void NearPairs::make(std::span<const ContactingBody> bodies) {
     std::vector<Found> found;
     for (std::size_t p = first; p < last; ++p) {
       if (particles_[p].is_foreign) continue;
-      near_damage_[p] = (cell_marks_[cells_.cell_of(p)] & is_near_damage) != 0;
       if (!(cell_marks_[cells_.cell_of(p)] & is_near)) continue;
       find_of(p, bodies, found);
       part.counts[p - first] = static_cast<std::uint32_t>(found.size());
@@ -396,10 +327,14 @@ void NearPairs::mark_cells() {
     cell_marks_ = std::move(widened);
   };
   widen(holds_lost, is_near_damage);
+  // Before marks of other ranks are added: bonds break without a new list only where every rank that may have the other end knows of it.
+  fccda::parallel_for_blocks(particles_.size(), block, [&](std::size_t first, std::size_t last) {
+    for (std::size_t p = first; p < last; ++p) near_damage_[p] = (cell_marks_[cells_.cell_of(p)] & is_near_damage) != 0;
+  });
   // Where owners assume damage bonds may break without a new list, although what is damaged may be out of reach here.
   if (ranks().size() > 1)
     foreign_.refresh<std::uint8_t>(
-        ranks(), [&](std::size_t own) { return static_cast<std::uint8_t>(cell_marks_[cells_.cell_of(own_particles_[own])] & is_near_damage); },
+        ranks(), [&](std::size_t own) { return static_cast<std::uint8_t>(near_damage_[own_particles_[own]] ? is_near_damage : 0); },
         [&](std::size_t foreign, std::uint8_t mark) { cell_marks_[cells_.cell_of(foreign_particles_[foreign])] |= mark; });
   widen(holds_exposed | is_near_damage, is_near);
 }
@@ -408,7 +343,7 @@ void NearPairs::find_of(std::size_t p, std::span<const ContactingBody> bodies, s
   found.clear();
   const Member& i = particles_[p];
   const bool near_damage = (cell_marks_[cells_.cell_of(p)] & is_near_damage) != 0, searches = near_damage || is_exposed(i);
-  const double horizon = bodies[i.body].family.horizon(), surely_bonded = (1 - 1e-9) * horizon * horizon, reach = longest_ + skin_;
+  const double within = bonded_within_[i.body], surely_bonded = within * within, reach = longest_ + skin_;
   bool may_be_bonded = false;
   cells_.for_each_around(cells_.cell_of(p), [&](std::size_t cell) {
     const bool others_near_damage = (cell_marks_[cell] & is_near_damage) != 0;
@@ -425,15 +360,14 @@ void NearPairs::find_of(std::size_t p, std::span<const ContactingBody> bodies, s
       may_be_bonded = may_be_bonded || i.body == j.body;
       found.push_back({q, no_bond});
     };
-    if (is_whole && cell_bodies_[cell] == i.body)
-      // most cells are of this kind: packs leave out most of the particles that is_bonded() would
-      cells_.for_each_within(
-          cell, reference_positions_.at(p), reach * reach,
-          [&](std::size_t first) { return ~fccda::bits_where_greater(Pack(surely_bonded), squared_distances<Pack>(references_by_cell_, first, i.reference)); },
-          visit);
-    else
-      cells_.for_each_within(
-          cell, reference_positions_.at(p), reach * reach, [](std::size_t) { return ~0u; }, visit);
+    // in most cells all are of this body and whole: packs leave out those that is_bonded() would
+    const bool is_of_body = is_whole && cell_bodies_[cell] == i.body;
+    cells_.for_each_within(
+        cell, reference_positions_.at(p), reach * reach,
+        [&](std::size_t first) {
+          return is_of_body ? ~fccda::bits_where_greater(Pack(surely_bonded), squared_distances<Pack>(references_by_cell_, first, i.reference)) : ~0u;
+        },
+        visit);
   });
   std::sort(found.begin(), found.end(), [](const Found& a, const Found& b) { return a.particle < b.particle; });
   if (may_be_bonded) name_bonds(p, bodies, found);

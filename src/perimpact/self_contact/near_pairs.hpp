@@ -21,7 +21,7 @@
 
 #include "base/aligned.hpp"
 #include "perimpact/family/exposure.hpp"
-#include "perimpact/self_contact/contacting_body.hpp"
+#include "perimpact/self_contact/displacement_extremes.hpp"
 #include "perimpact/self_contact/foreign_particles.hpp"
 #include "perimpact/self_contact/pairs_view.hpp"
 #include "perimpact/self_contact/short_range_law.hpp"
@@ -61,23 +61,14 @@ class NearPairs {
     std::size_t count;
     const std::int32_t* others;  ///< members
   };
-  /// Displacements of this rank's particles since the list was built.
-  struct Moved {
-    Vec3d low{infinity, infinity, infinity}, high{-infinity, -infinity, -infinity};  ///< [m] extremes of each component
-    double furthest = 0;                                                             ///< [m²] from the drift
-
-    constexpr void include(const Moved& other) {
-      low = min(low, other.low), high = max(high, other.high);
-      furthest = std::max(furthest, other.furthest);
-    }
-    static constexpr double infinity = std::numeric_limits<double>::infinity();
-  };
 
   NearPairs(const ShortRangeLaw& law, std::span<const ContactingBody> bodies);
 
   /// Returns whether the list is out of date; to be called once per step. make() rebuilds it. Both are collective.
-  bool needs_new_list(std::span<const ContactingBody> bodies) { return needs_new_list(bodies, moved(bodies)); }
-  bool needs_new_list(std::span<const ContactingBody> bodies, const Moved& moved);
+  bool needs_new_list(std::span<const ContactingBody> bodies) {
+    return needs_new_list(bodies, displacement_extremes(runs_, bodies, reference_positions_, drift_));
+  }
+  bool needs_new_list(std::span<const ContactingBody> bodies, const DisplacementExtremes& of_own);
   void make(std::span<const ContactingBody> bodies);
   /// Receives the state of foreign members from their owners; to be called in each step, after make(). Collective.
   void refresh_foreign(std::span<const ContactingBody> bodies);
@@ -123,13 +114,7 @@ class NearPairs {
   struct Found {
     std::uint32_t particle, bond;
   };
-  /// Successive own particles in successive slots.
-  struct Run {
-    std::size_t particle;  // the first
-    std::uint32_t body, slot, count;
-  };
-  Moved moved(std::span<const ContactingBody> bodies) const;
-  bool has_moved_by_skin(const Moved& moved);
+  bool has_moved_by_skin(const DisplacementExtremes& of_own);
   bool is_exposed(const Member& member) const {
     return member.is_foreign ? foreign_states_[member.slot].is_exposed != 0 : exposures_[member.body].is_exposed(member.slot);
   }
@@ -147,6 +132,7 @@ class NearPairs {
 
   ShortRangeLaw law_;
   double skin_ = 0, longest_ = 0;         // [m] skin, contact distance
+  std::vector<double> bonded_within_;     // [m] of each body: two of its particles nearer than this in the reference configuration have had a bond
   std::vector<Exposure> exposures_;       // of each body; empty until the next step derives them
   std::vector<Share> shares_;             // of each body
   std::vector<std::uint64_t> first_ids_;  // of each body
@@ -154,7 +140,7 @@ class NearPairs {
   // of all particles of all bodies, with those of other ranks, by id
   std::vector<Member> particles_;
   VectorArray reference_positions_;                      // [m] positions when the list was built
-  std::vector<Run> runs_;                                // all own particles, when the list was built
+  std::vector<ParticleRun> runs_;                        // all own particles, when the list was built
   Vec3d drift_{};                                        // [m] approximate common displacement since
   std::vector<std::uint8_t> near_damage_;                // near a particle that has lost a bond
   std::vector<std::uint32_t> member_of_;                 // none if it has no pairs

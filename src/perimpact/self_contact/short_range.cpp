@@ -355,29 +355,28 @@ void ShortRange::for_each_near(std::size_t m, const F& f) const {
     for_each_bit(bits[first / byte_lanes], [&](std::size_t lane) { f(first + lane); });
 }
 
-ShortRange::Bound ShortRange::bound(std::span<const ContactingBody> bodies, std::size_t b) const {
-  struct Extremes {
-    double largest = 0, largest_mass = 0, smallest = std::numeric_limits<double>::infinity(), smallest_mass = smallest;  // volumes, masses
-  };
-  const auto extremes = [](const Particles& particles) {
-    Extremes found;
-    for (const std::uint32_t slot : particles.slot_of()) {
-      const double volume = particles.volume(slot), mass = particles.mass(slot);
-      found = {std::max(found.largest, volume), std::max(found.largest_mass, mass), std::min(found.smallest, volume), std::min(found.smallest_mass, mass)};
+std::vector<ShortRange::Bound> ShortRange::bounds(std::span<const ContactingBody> bodies) const {
+  constexpr double far = std::numeric_limits<double>::infinity();
+  std::vector<double> extremes;  // of each body: largest volume and mass, and minus the smallest
+  for (const ContactingBody& body : bodies) {
+    std::array<double, 4> of_body = {-far, -far, -far, -far};
+    for (const std::uint32_t slot : body.particles.slot_of()) {
+      const double volume = body.particles.volume(slot), mass = body.particles.mass(slot);
+      of_body = {std::max(of_body[0], volume), std::max(of_body[1], mass), std::max(of_body[2], -volume), std::max(of_body[3], -mass)};
     }
-    Ranks& ranks = particles.share().ranks();
-    return Extremes{ranks.max(found.largest), ranks.max(found.largest_mass), -ranks.max(-found.smallest), -ranks.max(-found.smallest_mass)};
-  };
-  const Extremes own = extremes(bodies[b].particles);
-  Bound bound{};
-  for (std::size_t other = 0; other < bodies.size(); ++other) {
-    const Extremes its = extremes(bodies[other].particles);
-    const double k = in_series(bodies[b].stiffness, bodies[other].stiffness);
-    const double mass = own.smallest_mass * its.largest_mass / (own.smallest_mass + its.largest_mass);  // a dashpot brakes the smallest particle most
-    bound.stiffness = std::max(bound.stiffness, most_in_contact * k * its.largest);
-    bound.damping = std::max(bound.damping, most_in_contact * 2 * law_.damping_ratio * std::sqrt(k * its.largest * mass / own.smallest));
+    extremes.insert(extremes.end(), of_body.begin(), of_body.end());
   }
-  return bound;
+  near_pairs_.ranks().max(extremes);
+  std::vector<Bound> bounds(bodies.size());
+  for (std::size_t b = 0; b < bodies.size(); ++b)
+    for (std::size_t other = 0; other < bodies.size(); ++other) {
+      const double largest = extremes[4 * other], largest_mass = extremes[4 * other + 1], smallest = -extremes[4 * b + 2], smallest_mass = -extremes[4 * b + 3];
+      const double k = in_series(bodies[b].stiffness, bodies[other].stiffness);
+      const double mass = smallest_mass * largest_mass / (smallest_mass + largest_mass);  // a dashpot brakes the smallest particle most
+      bounds[b].stiffness = std::max(bounds[b].stiffness, most_in_contact * k * largest);
+      bounds[b].damping = std::max(bounds[b].damping, most_in_contact * 2 * law_.damping_ratio * std::sqrt(k * largest * mass / smallest));
+    }
+  return bounds;
 }
 
 }  // namespace perimpact

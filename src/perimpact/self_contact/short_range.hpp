@@ -70,7 +70,7 @@ class ShortRange {
     double stiffness;  ///< [N/m⁶] Σ k V_j
     double damping;    ///< [N s/m⁴] Σ 2 ζ √(K m)/V_i
   };
-  Bound bound(std::span<const ContactingBody> bodies, std::size_t body) const;
+  std::vector<Bound> bounds(std::span<const ContactingBody> bodies) const;  ///< of each body; collective
 
   /// State: density thresholds raised by bond failure and compaction, the latest pressures of bodies that are compacted, and the pairs in range with their
   /// tangential springs.

@@ -154,10 +154,12 @@ BodyMemory memory_of(const Setup& setup, const BodySetup& body, const Discretisa
     memory.picture = std::max(3 * sizeof(float) * p + 19 * p, may_break ? 2 * slot_number * n : 0) + (may_break ? slot_number * p : 0);
   if (setup.output.frames > 0 && setup.output.frame_particles) memory.picture += 2 * slot_number * p;  // numbers of the particles, kept and of a frame
   if (setup.contact.fragments.law.as<FragmentLaw>() != FragmentLaw::none) {
-    // near_pairs.hpp and short_range.hpp: particle, reference position, mark, member, cell, point and position in its cell; threshold, surfaces, particle of a
-    // slot, broken ends of eights
-    memory.fragments =
-        (sizeof(NearPairs::Member) + vector + 1 + 3 * slot_number + vector) * p + (number + 1 + 2 + slot_number + sizeof(std::uint32_t) / lanes) * n;
+    // near_pairs.hpp and short_range.hpp: particle, position when the list was built, mark, member, cell and point, position and reference position in its
+    // cell; about as many cells: first point, next point while they are sorted, body, and two marks; runs of some 64 particles with their displacements;
+    // threshold, surfaces, particle of a slot, broken ends of eights
+    const double of_particle = sizeof(NearPairs::Member) + vector + 1 + 3 * slot_number + 2 * vector, of_cell = 3 * slot_number + 2,
+                 of_run = sizeof(ParticleRun) + sizeof(DisplacementExtremes);
+    memory.fragments = (of_particle + of_cell + of_run / 64) * p + (number + 1 + 2 + slot_number + sizeof(std::uint32_t) / lanes) * n;
     memory.rubble = rubble_of(body, setup.contact.fragments) * n;
   }
   // a new body, and a copy of the state

@@ -58,9 +58,8 @@ double resolve_modes(const Setup& setup, double automatic, double highest, std::
 Stability find_step(const Setup& setup, std::span<Body> bodies, std::span<const Impactor> impactors, const std::optional<ShortRange>& fragments,
                     std::vector<std::string>& warnings) {
   Stability stability{0, std::numeric_limits<double>::infinity(), {}};
-  const std::vector<ContactingBody> contacting = contacting_bodies(setup, bodies);
-  const auto bound = [&](std::size_t b) { return fragments ? fragments->bound(contacting, b) : ShortRange::Bound{}; };
-  for (std::size_t b = 0; b < bodies.size(); ++b) stability.estimate = std::min(stability.estimate, safe_stable_step(bodies[b], bound(b)));
+  const std::vector<ShortRange::Bound> bounds = fragments ? fragments->bounds(contacting_bodies(setup, bodies)) : std::vector<ShortRange::Bound>(bodies.size());
+  for (std::size_t b = 0; b < bodies.size(); ++b) stability.estimate = std::min(stability.estimate, safe_stable_step(bodies[b], bounds[b]));
   if (setup.time.relax) {
     stability.step = setup.time.end / setup.time.relax->increments;
     return stability;
@@ -81,7 +80,7 @@ Stability find_step(const Setup& setup, std::span<Body> bodies, std::span<const 
   for (std::size_t b = 0; b < bodies.size(); ++b) {
     const double stiffest = stiffest_mode(bodies[b]);
     exact = std::min(exact, exact_stable_step(stiffest));
-    own = std::min(own, own_stable_step(stiffest, bodies[b].particles.density(), bound(b)));
+    own = std::min(own, own_stable_step(stiffest, bodies[b].particles.density(), bounds[b]));
   }
   stability.exact = exact;
   if (stability.step >= exact)

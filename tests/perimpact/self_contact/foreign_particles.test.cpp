@@ -22,11 +22,15 @@ struct PairsInRange {
   std::size_t lists_before = 0, lists = 0;
 };
 
-/// Compressed bar in which bonds are shorter than the range of contact. A bond breaks at 19 cells, then, with the list of pairs at hand, one at 17 cells,
-/// whose particle is in range of that at 15 cells.
-PairsInRange after_breaking(int ranks) {
+struct Bond {
+  Cell one, other;
+};
+
+/// Compressed block in which bonds are shorter than the range of contact. A bond breaks, then, after a first evaluation, another.
+PairsInRange after_breaking(int ranks, const Cell& cells, const Vec3d& shift, const Bond& first, const Bond& second) {
   constexpr double spacing = 0.001;
-  BodySetup setup = fixtures::body_setup({.size = {32 * spacing, 5 * spacing, 5 * spacing}, .spacing = spacing, .family = FamilyRule::madenci_oterkus});
+  BodySetup setup =
+      fixtures::body_setup({.size = {cells[0] * spacing, cells[1] * spacing, cells[2] * spacing}, .spacing = spacing, .family = FamilyRule::madenci_oterkus});
   setup.horizon_ratio = 1.6;
   PairsInRange pairs;
   std::mutex mutex;
@@ -36,10 +40,10 @@ PairsInRange after_breaking(int ranks) {
     pile.bodies.push_back(make_body(setup, make_particles(setup, discretise(setup), its), stages));
     Body& body = pile.bodies[0];
     const Share& share = body.particles.share();
-    for (const std::uint32_t slot : body.particles.slot_of()) body.particles.position.set(slot, 0.9 * body.particles.reference(slot));
+    for (const std::uint32_t slot : body.particles.slot_of()) body.particles.position.set(slot, 0.9 * body.particles.reference(slot) + spacing * shift);
     const auto slot_of = [&](const Cell& cell) { return share.local_slot(body.particles.whole_lattice()->slot(cell[0], cell[1], cell[2])); };
-    const auto cut = [&](const Cell& a, const Cell& b) {
-      const auto i = slot_of(a), j = slot_of(b);
+    const auto cut = [&](const Bond& bond) {
+      const auto i = slot_of(bond.one), j = slot_of(bond.other);
       if (!i || !j) return;
       body.family.cut([&](std::size_t s, std::size_t t) { return (s == *i && t == *j) || (s == *j && t == *i); });
       body.internal.visit_state("", [&](const std::string&, auto values) {
@@ -51,10 +55,10 @@ PairsInRange after_breaking(int ranks) {
     const auto bodies = pile.contacts();
     ShortRange contact(pile.law, bodies);
     const auto evaluate = [&] { pile.clear_forces(), contact.add_forces(bodies, 1e-8); };
-    cut({19, 2, 2}, {20, 2, 2});
+    cut(first);
     evaluate();
     const std::size_t lists_before = contact.near_pairs().times_made();
-    cut({17, 2, 2}, {18, 2, 2});
+    cut(second);
     evaluate();
     const std::lock_guard guard(mutex);
     pairs.lists_before = lists_before, pairs.lists = contact.near_pairs().times_made();
@@ -72,11 +76,26 @@ PairsInRange after_breaking(int ranks) {
 
 TEST_CASE(
     "foreign particles: those exposed since the list of pairs was made are in range, although the damage that began before is out of reach of this rank") {
-  const PairsInRange one = after_breaking(1), two = after_breaking(2);
+  // a bond breaks at 19 cells of a bar, then, with the list of pairs at hand, one at 17 cells, whose particle is in range of that at 15 cells
+  const auto with = [](int ranks) { return after_breaking(ranks, {32, 5, 5}, {}, {{19, 2, 2}, {20, 2, 2}}, {{17, 2, 2}, {18, 2, 2}}); };
+  const PairsInRange one = with(1), two = with(2);
   for (const PairsInRange* pairs : {&one, &two}) CHECK(pairs->lists == pairs->lists_before);  // the last bond breaks where one had broken before
   const Lattice lattice{.cells = {32, 5, 5}};
   CHECK(one.ends.contains({lattice.slot(15, 2, 2), lattice.slot(17, 2, 2)}));
   CHECK(two.ends == one.ends);
+}
+
+TEST_CASE(
+    "foreign particles: where three ranks meet within reach, those exposed since are in range although their owner knows the damage from another rank alone") {
+  // the second bond is in reach of what one rank knows to be damaged, and its particle in range of that at row 5 of a third rank
+  const auto with = [](int ranks) { return after_breaking(ranks, {8, 12, 3}, {1.25, 1.25, 1.25}, {{3, 11, 1}, {4, 11, 1}}, {{3, 7, 1}, {4, 7, 1}}); };
+  const PairsInRange one = with(1);
+  const Lattice lattice{.cells = {8, 12, 3}};
+  CHECK(one.ends.contains({lattice.slot(4, 5, 1), lattice.slot(4, 7, 1)}));
+  for (const int ranks : {2, 4}) {
+    CAPTURE(ranks);
+    CHECK(with(ranks).ends == one.ends);
+  }
 }
 
 TEST_CASE("foreign particles: each rank finds those within reach of its own, and is refreshed with those it keeps") {

@@ -169,7 +169,7 @@ TEST_CASE("fragments: a slider under pressure is braked by µ times the pressure
   Particles &slab = bodies[0].particles, &slider = bodies[1].particles;
   const auto contacts = contacting_bodies(setup, bodies);
   ShortRange contact = *short_range_of(setup, bodies);
-  const double dt = 0.3 * silling_askari_step(bodies[1], contact.bound(contacts, 1));
+  const double dt = 0.3 * silling_askari_step(bodies[1], contact.bounds(contacts)[1]);
   std::vector<double> travel(std::max(travel_blocks(slab), travel_blocks(slider)));
   const auto step = [&](double damping) {
     advance(slider, dt, std::span(travel).first(travel_blocks(slider)));
