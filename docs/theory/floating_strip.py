@@ -94,7 +94,7 @@ def percent(ratio):
 
 
 def bending(rows, name):
-    lines = ["| layers | D of the strip/D | edge deflection | largest moment | at [m] | first bond too long at |", "|---|---|---|---|---|---|"]
+    lines = ["| layers | D of the strip/D | edge deflection | largest moment | at [m] | critical stretch first reached at |", "|---|---|---|---|---|---|"]
     for layers, of in sorted(rows["lift", name].items()):
         numbers = [percent(of["edge deflection"]), percent(of["largest moment"]), f"{of['its distance [m]']:.1f}", percent(of["first bond"])]
         lines.append(f"| {layers} | {of['bending stiffness']:.3f} | " + " | ".join(numbers) + " |")
