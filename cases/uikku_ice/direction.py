@@ -63,7 +63,7 @@ def sheet(degrees):
         "impactors": {"friction": SHIP.friction, "crushing_pressure": SHIP.compressive_strength}, "fragments": {"law": "repulsive", "stiffness_factor": 2, "friction": SHIP.ice_friction},
     }  # fmt: skip
     output = {"frames": 14, "frame_fields": ["displacement", "damage"], "history_interval": 0.02, "checkpoint_interval": 0}
-    return {"title": f"The bow at {degrees:g} degrees", "time": {"end": 1.4, "step": SHIP.step}, "bodies": {"ice": ice}, "impactors": {"ship": ship}, "contact": contact, "output": output}
+    return {"title": f"The bow at {degrees:g} degrees", "time": {"end": 1.4, "step": 0.9 * SHIP.step}, "bodies": {"ice": ice}, "impactors": {"ship": ship}, "contact": contact, "output": output}
 
 
 def hull(program, file):

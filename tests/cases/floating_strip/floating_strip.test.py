@@ -13,6 +13,7 @@ from claims import claim, main  # noqa: E402
 try:
     import numpy as np
     from measure import Run, bent, compared
+    from section import curve
     from theory import LARGEST_MOMENT, Elements, Strip
     from variants import Variant
 except ImportError:
@@ -53,6 +54,20 @@ def theory(scene):
     # no water on the ice: nothing changes; under water its edge is held less, and the strip breaks sooner
     scene.assertTrue((elements.solve(1e4, flooded=True)[0] == w).all())
     scene.assertLess(elements.breaking_load(flooded=True), elements.breaking_load())
+
+
+@claim("floating_strip: the moment of a section is proportional to its curvature until the bond nearest to the direction of bending is at its limit, and smaller afterwards")
+def section(scene):
+    needs_numpy()
+    # the largest share of the strain that a bond of 2.5 spacings in the plane has: along an axis, or (2, 1) at 26.6°
+    for degrees, nearest in ((0, 0), (10, 10), (22.5, 26.565 - 22.5), (45, 0)):
+        curvature, moment, damage = curve(3, 2.015, degrees).T
+        first = 1 / np.cos(np.radians(nearest)) ** 2  # over κ₀
+        whole = curvature < first + 1e-9
+        scene.assertTrue((damage[whole] == 0).all() and damage[np.argmin(whole)] > 0, degrees)  # curvatures are 0.01 apart
+        scene.assertLess(np.abs(moment[whole] - curvature[whole]).max(), 1e-9)
+        scene.assertLess((moment / curvature)[~whole].max(), 1)  # no bond that breaks makes it stiffer
+        scene.assertTrue((np.diff(damage) >= 0).all())
 
 
 @claim("floating_strip: four calibrated layers bend as the sheet does")

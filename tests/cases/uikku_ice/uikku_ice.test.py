@@ -1,5 +1,6 @@
 """Claims about the decks of MT Uikku. The run is on a coarse, small sheet."""
 
+import json
 import math
 import re
 import subprocess
@@ -12,6 +13,7 @@ CASE = ROOT / "cases/uikku_ice"
 sys.path[:0] = [str(ROOT / "tests/cli"), str(CASE)]
 from claims import claim, main  # noqa: E402
 from decks import deck, name_of, ship_in, tests  # noqa: E402
+from direction import hull, loads_of, sheet, strip  # noqa: E402
 from level_ice import deflection_at_breaking  # noqa: E402
 from resistance import ShipInIce  # noqa: E402
 
@@ -45,6 +47,25 @@ def page(t):
 def free(t):
     said = t.expect_no_warning("check", CASE / "free.yaml", "--out", "checked")
     t.assertAlmostEqual(float(re.search(r"in this attitude it floats at a draft of (\S+) m", said.out)[1]), 9.5, delta=0.01)
+
+
+@claim("uikku_ice: strips and sheets in any direction of the lattice have the ice of test 302, a hull in front of it, and a stable step")
+def direction(t):
+    hull(t.program, t.folder / "hull.obj")
+    for degrees in (0.0, 22.5):
+        for name, made in (("strip", strip(degrees)), ("sheet", sheet(degrees))):
+            folder = t.folder / f"{name}_{degrees:g}"
+            folder.mkdir()
+            (folder / "deck.yaml").write_text(json.dumps(made), encoding="utf-8")
+            said = t.expect_success("check", folder / "deck.yaml", "--out", folder / "checked").out
+            t.assertIn("flexural strength 6.272e+05 Pa with 3 layers", said)
+            t.assertLess(float(re.search(r"([\d.]+) of the exact critical step", said)[1]), 0.62 if name == "sheet" else 0.9)  # fragments in contact need less
+    # without a broken bond there is no load
+    early = strip(0.0)
+    early["time"]["end"], early["output"]["frames"] = 0.02, 2
+    (t.folder / "early.yaml").write_text(json.dumps(early), encoding="utf-8")
+    t.expect_success("run", "early.yaml", "--out", "early")
+    t.assertTrue(all(math.isnan(number) for number in loads_of(t.folder / "early", 0.0)))
 
 
 @claim("uikku_ice: the edge of a floating strip is as deep at breaking as the theory of the strip has it")
