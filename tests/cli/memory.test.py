@@ -90,7 +90,9 @@ def _(t):
 
 @claim("memory: check estimates the peak of a run with fragments within 20 %, as long as few bonds break")
 def _(t):
-    expect_near(t, deck(t, box(60, 50, 34), "brittle", "contact: {fragments: {law: repulsive}}\n"))
+    fragments = "contact: {fragments: {law: repulsive}}\n"
+    expect_near(t, deck(t, box(60, 50, 34), "brittle", fragments))
+    expect_near(t, deck(t, box(240, 200, 3) + ", horizon_ratio: 2.015", "brittle", fragments))  # a sheet of ice has half of its memory in them
 
 
 def expect_rubble_near(t, friction):
