@@ -43,16 +43,16 @@ def name_of(number):
 
 
 def ship_in(test):
-    """Ship and ice of a test."""
+    """Ship and ice of a test, and how the ship travels."""
     return replace(
         UIKKU, speed=test["speed"], thickness=test["thickness"], strength=1e3 * test["flexural strength"], young=1e6 * test["elastic modulus"],
-        compressive_strength=1e6 * test["compressive strength"],
+        compressive_strength=1e6 * test["compressive strength"], inertial_speed=0.0 if test["test"] in UNSCALED else INERTIAL_SPEED,
     )  # fmt: skip
 
 
 def deck(number, test, is_free=False):
     """The deck of a test; of a ship that is free in surge and heave and driven by its net thrust, where `is_free`."""
-    run = replace(ship_in(test), inertial_speed=0.0 if number in UNSCALED else INERTIAL_SPEED)
+    run = ship_in(test)
     if is_free:
         run = replace(run, **PROPULSION)
     heading = f"""# yaml-language-server: $schema=../../docs/guide/deck.schema.json

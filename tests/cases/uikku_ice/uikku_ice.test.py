@@ -22,7 +22,9 @@ from resistance import ShipInIce  # noqa: E402
 def written(t):
     t.assertEqual(sorted(tests()), [103, 104, 205, 302, 403])
     for number, test in tests().items():
-        t.assertEqual((CASE / name_of(number)).read_text(encoding="utf-8"), deck(number, test), number)
+        text = (CASE / name_of(number)).read_text(encoding="utf-8")
+        t.assertEqual(text, deck(number, test), number)
+        t.assertIn(f"time: {{end: {ship_in(test).ends:.5g} s,", text)  # of the sample that compare.py measures
     t.assertEqual((CASE / "free.yaml").read_text(encoding="utf-8"), deck(302, tests()[302], is_free=True))
 
 
