@@ -3,8 +3,7 @@
 
 Runs ramps of 60 kN/m in 30 s of calibrated strips with several horizons, four at a time with one thread each, and prints the table of
 docs/theory/floating_strip.md: the load at the first frame with a broken bond, that at the first with a crack through the strip, and over which length bonds
-of a layer are broken in the frame before the latter. A crack is through where each layer of a column across the strip has lost THROUGH of its bonds on average: beside a plane
-that cuts all bonds it is 0.35 and more. A frame is 0.2 kN/m. A finished run in OUTDIR is not made again.
+of a layer are broken in the frame before the latter. A frame is 0.2 kN/m. A finished run in OUTDIR is not made again.
 """
 
 import argparse
@@ -18,12 +17,12 @@ import numpy as np
 
 HERE = Path(__file__).resolve().parent
 sys.path[:0] = [str(HERE), str(HERE / "../../scripts/results")]
+from strip_crack import BROKEN, is_through  # noqa: E402
 from variants import Variant  # noqa: E402
 from vtp_reader import read_vtp, series  # noqa: E402
 
 LOAD, END, FRAMES = 60e3, 30.0, 300  # [N/m] [s]
 STRIPS = [(3, 3.015, "none"), (3, 3.015, "z"), (3, 2.5, "z"), (3, 2.015, "z"), (4, 3.015, "z"), (4, 2.015, "z")]
-BROKEN, THROUGH = 0.02, 0.3  # [-] damage
 
 
 def deck_of(layers, horizon_ratio, calibration):
@@ -41,7 +40,7 @@ def run(program, folder, deck):
         subprocess.run(command, check=True, stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL)
 
 
-def measured(folder, deck, layers):
+def measured(folder, deck):
     """[N/m] load at the first broken bond, and as a crack is through; [m] length with broken bonds before that."""
     load = deck["bodies"]["ice"]["boundary_conditions"]["load"]["body_force"]
     first, before = None, 0.0
@@ -52,9 +51,7 @@ def measured(folder, deck, layers):
             continue
         applied = LOAD * float(np.interp(time, load["times"], load["factors"]))
         first = applied if first is None else first
-        _, column = np.unique(np.round(reference[:, [0, 2]], 2), axis=0, return_inverse=True)  # particles across the strip, by place and height
-        across = np.bincount(column, damage) / np.bincount(column)
-        if (across.reshape(-1, layers).min(axis=1) > THROUGH).any():
+        if is_through(reference[:, 0], reference[:, 2], damage, deck["bodies"]["ice"]["spacing"]):
             return first, applied, before
         broken = reference[damage > BROKEN, 0]
         before = np.ptp(broken) if len(broken) else 0.0
@@ -72,7 +69,7 @@ def main():
         list(pool.map(lambda one: run(program, *one), strips.values()))
     print("| layers | horizon, spacings | | first bond | crack through all layers | bonds broken before, over |\n|---|---|---|---|---|---|")
     for (layers, horizon_ratio, calibration), one in strips.items():
-        first, through, length = measured(*one, layers)
+        first, through, length = measured(*one)
         print(f"| {layers} | {horizon_ratio} | {'calibrated' if calibration == 'z' else ''} | {first / 1e3:.1f} kN/m | {f'{through / 1e3:.1f} kN/m' if through == through else 'none'} | {length:.0f} m |")
 
 

@@ -63,11 +63,11 @@ def strength(folder, body="ice"):
     return report_of(folder)["setup"]["bodies"][body]["material"]["plasticity"]["compressive_strength"]
 
 
-def until_broken(folder, curve):
-    """Stresses of the rows before the first bond breaks; `curve`: (…, stress, broken bonds) of each row."""
+def broken_in(folder, curve):
+    """The rows (…, stress, broken bonds) of a specimen, which must have broken."""
     if curve[-1][-1] == 0:
         refuse(f"{folder} ended before a bond broke; its largest stress is no strength. Repeat it with a longer time.end (docs/guide/calibration.md).")
-    return [stress for *_, stress, broken in curve if broken == 0]
+    return curve
 
 
 def energy_error(rows, *works):
@@ -111,7 +111,8 @@ def bending(folder):
 def punch(folder):
     """(depth over width [-], mean pressure over the compressive strength [-]) of each row."""
     width, depth = PUNCH
-    return [(ramped(row["time"], 4e-3, 0.15) / width, -row["block.punch.force_z"] / (width * depth) / strength(folder, "block")) for row in history(folder)]
+    yields_at = width * depth * strength(folder, "block")  # [N]
+    return [(ramped(row["time"], 4e-3, 0.15) / width, -row["block.punch.force_z"] / yields_at) for row in history(folder)]
 
 
 def cap(radius, depth):
@@ -215,15 +216,13 @@ def of_prisms(folder):
             found["crushed residual strength [-]"] = sum(after) / len(after) / strength(folder / "crushed")
         found["crushed energy error [-]"] = energy_error(history(folder / "crushed"), "ice.top.work", "ice.bottom.work")
     if (folder / "tension").is_dir():
-        curve = tension(folder / "tension")
-        until_broken(folder / "tension", curve)
-        found["tensile strength [MPa]"] = max(stress for _, stress, _ in curve) / 1e6
+        found["tensile strength [MPa]"] = max(stress for _, stress, _ in broken_in(folder / "tension", tension(folder / "tension"))) / 1e6
         found["tension energy error [-]"] = energy_error(history(folder / "tension"), "ice.top.work", "ice.bottom.work")
     if (folder / "brazilian").is_dir():
-        found["splitting strength [MPa]"] = max(until_broken(folder / "brazilian", splitting(folder / "brazilian"))) / 1e6
+        found["splitting strength [MPa]"] = max(stress for _, stress, broken in broken_in(folder / "brazilian", splitting(folder / "brazilian")) if broken == 0) / 1e6
         found["splitting energy error [-]"] = energy_error(history(folder / "brazilian"), "ice.top.work", "ice.bottom.work")
     if (folder / "bending").is_dir():
-        found["flexural strength [MPa]"] = max(until_broken(folder / "bending", bending(folder / "bending"))) / 1e6
+        found["flexural strength [MPa]"] = max(stress for _, stress, broken in broken_in(folder / "bending", bending(folder / "bending")) if broken == 0) / 1e6
         found["bending energy error [-]"] = energy_error(history(folder / "bending"), "ice.load_left.work", "ice.load_right.work")
     return found
 

@@ -18,6 +18,7 @@ HERE = Path(__file__).resolve().parent
 sys.path[:0] = [str(HERE), str(HERE / "../ship_ice"), str(HERE / "../../scripts/results")]
 from csv_reader import history  # noqa: E402
 from decks import ship_in, tests  # noqa: E402
+from strip_crack import BROKEN, is_through  # noqa: E402
 from vtp_reader import read_vtp, series  # noqa: E402
 
 ANGLES = (0.0, 22.5, 45.0)  # [deg]
@@ -25,8 +26,6 @@ SHIP = ship_in(tests()[302])
 SHEET = 70, 105  # spacings along the course and across
 STRIP = 92, 9  # spacings: three characteristic lengths
 SPEED, LOAD, RAMP, END = 1.5, 40e3, 4.0, 3.2  # [m/s] [N/m] at [s], half as fast before 0.95 s; [s]
-THROUGH = 0.3  # [-] mean damage of each layer across the strip, of particles within a spacing
-BROKEN = 0.02  # [-] damage
 
 
 def body(cells, degrees):
@@ -96,10 +95,7 @@ def loads_of(folder, degrees):
             since, first = time, load
         if time < since + 0.11:
             spread = np.ptp(place[(damage > BROKEN) & (height == height.max())])
-        column = np.floor((place - place.min()) / SHIP.spacing + 1e-6)
-        cells = [(column == at) & (height == level) for at in np.unique(column) for level in np.unique(height)]
-        means = np.reshape([damage[cell].mean() if cell.any() else 0 for cell in cells], (-1, SHIP.layers))
-        if (means.min(axis=1) > THROUGH).any():
+        if is_through(place, height, damage, SHIP.spacing):
             return first, load, spread
     return first, through, spread
 

@@ -17,7 +17,7 @@ namespace perimpact {
 
 struct BondList {
   double horizon{};                                    ///< [m] δ
-  double beyond_horizon{};                             ///< [-] bonds are shorter than the horizon and this part of the mean size of both particles
+  double beyond_horizon{};                             ///< [-] by which bonds may exceed the horizon, over the mean size of both particles
   std::vector<std::size_t> begin;                      ///< first row of each pack of eight slots, and one past the last
   std::vector<std::uint8_t> bits;                      ///< of each row: bit l is set if slot l of the pack has this bond; moved to the Family
   fccda::UninitialisedVector<std::int32_t> neighbour;  ///< slots, eight per row; the particle itself without a bond

@@ -38,7 +38,7 @@ class Stencil {
   const std::vector<StencilBond>& bonds() const { return bonds_; }
   std::size_t size() const { return bonds_.size(); }
   double horizon() const { return horizon_; }                ///< [m] δ
-  double beyond_horizon() const { return beyond_horizon_; }  ///< in spacings: bonds are shorter than the horizon and this
+  double beyond_horizon() const { return beyond_horizon_; }  ///< in spacings, by which bonds may exceed the horizon
   double spacing() const { return spacing_; }                ///< [m] Δ
   int reach() const { return reach_; }                       ///< in cells
 
