@@ -26,6 +26,7 @@ class LevelIceRun(ShipInIce):
 
     layers: int = 3  # of particles in the thickness; three crack within 4 % of the load of theory
     fullness: float = 2.0  # p of the hull: its bow is p B/(2 tan α) long
+    stem_radius: float = 0.0  # of the waterlines of the hull at its stem [m]; a sharp edge where 0
     freeboard: float = 6.0  # height of the hull above the water [m]
     displacement: float = 22171e3  # mass of the ship [kg]; without effect unless --bollard-pull is given
     compressive_strength: float = 2.3e6  # σ_c of the ice [Pa]
@@ -127,7 +128,7 @@ def expect_possible(run):
     for name in ("length", "beam", "draft", "speed", "thickness", "strength", "young", "ice", "water", "displacement", "compressive_strength", "approach_speed", "fullness", "ahead", "beside"):
         if not getattr(run, name) > 0:
             refuse(f"--{name.replace('_', '-')} is {getattr(run, name):g}, but must be positive.")
-    for name in ("friction", "ice_friction", "crushing_pressure", "edge_length", "bow_edge_length", "inertial_speed", "astern", "lead_in", "sample", "bollard_pull", "open_water_speed"):
+    for name in ("friction", "ice_friction", "stem_radius", "crushing_pressure", "edge_length", "bow_edge_length", "inertial_speed", "astern", "lead_in", "sample", "bollard_pull", "open_water_speed"):
         if not getattr(run, name) >= 0:
             refuse(f"--{name.replace('_', '-')} is {getattr(run, name):g}, but must not be negative.")
     if run.bollard_pull and not run.open_water_speed > run.speed:
@@ -216,7 +217,7 @@ bodies:
 
 impactors:
   ship:
-    surface: {{hull: {{length: {run.length:g} m, breadth: {run.beam:g} m, draft: {run.draft:g} m, freeboard: {run.freeboard:g} m, stem_angle: {run.stem:g} deg, waterline_angle: {run.waterline:g} deg, fullness: {run.fullness:g}, edge_length: {run.edge_length or 4 * spacing:.4g} m, bow_edge_length: {run.bow_edge_length or 2 * spacing:.4g} m}}}}
+    surface: {{hull: {{length: {run.length:g} m, breadth: {run.beam:g} m, draft: {run.draft:g} m, freeboard: {run.freeboard:g} m, stem_angle: {run.stem:g} deg, waterline_angle: {run.waterline:g} deg, fullness: {run.fullness:g}, {f"stem_radius: {run.stem_radius:g} m, " if run.stem_radius else ""}edge_length: {run.edge_length or 4 * spacing:.4g} m, bow_edge_length: {run.bow_edge_length or 2 * spacing:.4g} m}}}}
     position: [0.25 m, 0, 0]                       # just in front of the upper edge of the ice
     mass: {1e-3 * run.displacement:.10g} t                                  # its displacement
     {motion}

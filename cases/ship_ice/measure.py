@@ -63,7 +63,7 @@ def travel_in_ice(rows):
 
 
 def bow_length(hull):
-    """[m] p B/2 / tan α of a hull as in run.json (docs/guide/shapes.md)."""
+    """[m] p B/2 / tan α of a hull as in run.json (docs/guide/shapes.md), whose stem is sharp: a stem radius shortens it by less than twice that radius."""
     return hull["fullness"] * hull["breadth"] / 2 / np.tan(hull["waterline_angle"])
 
 

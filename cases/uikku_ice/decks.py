@@ -66,6 +66,7 @@ def main():
     arguments = argparse.ArgumentParser(description=__doc__.splitlines()[0])
     arguments.add_argument("--out", type=Path, default=HERE)
     folder = arguments.parse_args().out
+    folder.mkdir(parents=True, exist_ok=True)
     for number, test in tests().items():
         (folder / name_of(number)).write_text(deck(number, test), encoding="utf-8")
     (folder / "free.yaml").write_text(deck(302, tests()[302], is_free=True), encoding="utf-8")

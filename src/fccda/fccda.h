@@ -190,6 +190,7 @@ typedef struct fccda_hull {
   double stern_angle;            ///< [rad] between stern and waterline; 0: 35°
   double stern_waterline_angle;  ///< [rad] half angle of the waterline at the stern; 0: 30°
   double bilge_radius;           ///< [m] 0: a hard chine
+  double stem_radius;            ///< [m] of the waterlines at the stem; 0: a sharp edge
   double flare;                  ///< [rad] of the sides from the vertical
   double edge_length;            ///< [m] of the triangles aft of the bow
   double bow_edge_length;        ///< [m] in the bow; 0: as edge_length

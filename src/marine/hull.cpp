@@ -18,6 +18,7 @@
 namespace fccda {
 namespace {
 
+constexpr double edges_of_radius = 0.35;  // of a stem with a radius: chords leave the arc by 1.5 % of it
 constexpr double growth = 0.2;  // of the edges behind the bow, [m] per metre: a ratio of 1.2 from panel to panel
 
 template <class... Words>
@@ -61,6 +62,11 @@ class HullPanels {
  private:
   double widest() const { return std::fmax(form_.section(shape_.freeboard), form_.section(0)); }
   double length_of_side() const { return form_.stern(shape_.freeboard) - form_.stem(shape_.freeboard) - form_.bow_length() - form_.stern_length(); }
+  /// Edges on the arc of the stem follow its curvature, and grow behind it.
+  double size_on_arc() const { return form_.stem_arc() > 0 ? std::fmin(bow_edge_length_, edges_of_radius * shape_.stem_radius) : bow_edge_length_; }
+  double size_in_bow(double behind_stem) const {
+    return std::fmin(bow_edge_length_, size_on_arc() + growth * std::fmax(0.0, behind_stem - form_.stem_arc()));
+  }
   double size_behind_bow(double distance) const { return std::fmin(shape_.edge_length, bow_edge_length_ + growth * distance); }
 
   /// Estimated number of triangles, an upper bound.
@@ -69,7 +75,8 @@ class HullPanels {
     const double girth = 2 * widest() + height / std::sin(std::fmin(shape_.stem_angle, shape_.stern_angle)) + widest();
     const double bow = form_.bow_length() + widest(), rest = length_of_side() + form_.stern_length() + widest();
     return 4 * girth *
-           (bow / (bow_edge_length_ * bow_edge_length_) + (1 / bow_edge_length_ - 1 / shape_.edge_length) / growth +
+           (2 * shape_.stem_radius / (size_on_arc() * size_on_arc()) + (1 / size_on_arc() - 1 / bow_edge_length_) / growth +
+            bow / (bow_edge_length_ * bow_edge_length_) + (1 / bow_edge_length_ - 1 / shape_.edge_length) / growth +
             rest / (shape_.edge_length * shape_.edge_length));
   }
 
@@ -96,7 +103,7 @@ class HullPanels {
   void lay_columns() {
     const double side = length_of_side(), stern = form_.stern_length();
     lay(
-        Stretch::bow, form_.bow_length(), [&](double t) { return form_.bow_share(t); }, [&](double) { return bow_edge_length_; });
+        Stretch::bow, form_.bow_length(), [&](double t) { return form_.bow_share(t); }, [&](double t) { return size_in_bow(t * form_.bow_length()); });
     lay(
         Stretch::side, side, [](double) { return 1.0; }, [&](double f) { return size_behind_bow(f * side); });
     lay(
@@ -202,7 +209,10 @@ HullForm::HullForm(const HullShape& shape)
       stern_length_(shape.breadth / std::tan(shape.stern_waterline_angle)) {
   EXPECTS(shape.length > 0 && shape.breadth > 0 && shape.draft > 0 && shape.freeboard > 0 && shape.edge_length > 0);
   EXPECTS(shape.stem_angle > 0 && shape.waterline_angle > 0 && shape.stern_angle > 0 && shape.stern_waterline_angle > 0);
-  EXPECTS(shape.fullness >= 1 && shape.bilge_radius >= 0 && shape.bow_edge_length >= 0);
+  EXPECTS(shape.fullness >= 1 && shape.bilge_radius >= 0 && shape.stem_radius >= 0 && shape.bow_edge_length >= 0);
+  if (shape.stem_radius > 0.25 * shape.breadth)
+    refuse("stem_radius is ", shape.stem_radius, " m; use at most a quarter of the breadth, ", 0.25 * shape.breadth, " m.");
+  if (shape.stem_radius > 0) round_stem();
   if (shape.bilge_radius > shape.draft)
     refuse("bilge_radius is ", shape.bilge_radius, " m, but the bilge must lie below the waterline; use at most the draft, ", shape.draft, " m.");
   const double least = 1e-3 * shape.breadth, narrowest_bottom = section(-shape.draft), narrowest_deck = section(shape.freeboard);
@@ -213,7 +223,7 @@ HullForm::HullForm(const HullShape& shape)
     refuse("the sides meet below the deck, whose half-breadth would be ", narrowest_deck, " m; use a flare nearer to 0, or a lower freeboard.");
   const double bottom_length = stern(-shape.draft) - stem(-shape.draft);
   if (bow_length_ + stern_length_ > bottom_length - 1e-3 * shape.length)
-    refuse("the bow is ", bow_length_, " m long (fullness * breadth/2 / tan of waterline_angle) and the stern ", stern_length_,
+    refuse("the bow is ", bow_length_, " m long (fullness * breadth/2 / tan of waterline_angle", shape.stem_radius > 0 ? ", less what stem_radius takes" : "", ") and the stern ", stern_length_,
            " m, but the bottom between stem and stern only ", bottom_length,
            " m; use larger waterline angles, a larger stem or stern angle, a smaller fullness or a longer ship.");
   if (shape.bow_edge_length > shape.edge_length)
@@ -226,7 +236,29 @@ double HullForm::section(double z) const {
   return straight - radius + std::sqrt(std::fmax(0.0, radius * radius - below * below));
 }
 
-double HullForm::bow_share(double t) const { return 1 - std::pow(1 - t, shape_.fullness); }
+void HullForm::round_stem() {
+  const double half = 0.5 * shape_.breadth, curve_length = bow_length_, p = shape_.fullness;
+  const auto breadth = [&](double t) { return half * (1 - std::pow(1 - t, p)); };
+  const auto slope = [&](double t) { return half / curve_length * p * std::pow(1 - t, p - 1); };
+  // the normal of the curve at t meets the centreline at the distance of the radius from it
+  double low = 0, high = 1;
+  constexpr int halvings = 60;  // to rounding
+  for (int k = 0; k < halvings; ++k) {
+    const double t = 0.5 * (low + high);
+    (breadth(t) * std::hypot(1, slope(t)) < shape_.stem_radius ? low : high) = t;
+  }
+  const double tangent = low * curve_length, centre = tangent + breadth(low) * slope(low);
+  ahead_ = centre - shape_.stem_radius;
+  arc_ = tangent - ahead_;
+  bow_length_ = curve_length - ahead_;
+}
+
+double HullForm::bow_share(double t) const {
+  const double behind_stem = t * bow_length_;
+  if (behind_stem < arc_) return std::sqrt(behind_stem * (2 * shape_.stem_radius - behind_stem)) / (0.5 * shape_.breadth);
+  const double remaining = ahead_ == 0 ? 1 - t : (1 - t) * bow_length_ / (bow_length_ + ahead_);
+  return 1 - std::pow(remaining, shape_.fullness);
+}
 
 double HullForm::half_breadth(double x, double z) const {
   const double t = std::clamp((x - stem(z)) / bow_length_, 0.0, 1.0), u = std::clamp((stern(z) - x) / stern_length_, 0.0, 1.0);

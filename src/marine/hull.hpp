@@ -8,11 +8,12 @@
 ///   section   b(z) = B/2 + z tan γ                     above the bilge, which begins at z = R - T; γ is the flare of the sides
 ///                  = that - R + sqrt(R² - (z + T - R)²)  in the bilge, down to the flat bottom z = -T
 ///   bow       W_b(t) = 1 - (1 - t)^p, t = (x - x_b)/l_b from 0 to 1; beyond, 1.   l_b = p (B/2)/tan α
+///             A stem of radius r: an arc tangent to that curve, whose foremost point is on the stem; the curve then begins s before the stem.
 ///   stern     W_s(u) = 1 - (1 - u)², u = (x_e - x)/l_s as for t.                  l_s = 2 (B/2)/tan α_s
 ///   hull      y(x, z) = b(z) W_b W_s
 ///
-/// Consequences, without flare: every waterline above the bilge meets the centreline at exactly the angle α (α_s at the stern); the buttocks of
-/// the bow are straight and parallel to the stem, so the normals have n_x/n_z = tan φ everywhere there. With flare both hold on the waterline.
+/// Consequences, without flare: every waterline above the bilge meets the centreline at exactly the angle α (α_s at the stern), with a stem of
+/// radius r past its arc; the buttocks of the bow are straight and parallel to the stem, so the normals have n_x/n_z = tan φ everywhere there. With flare both hold on the waterline.
 /// Angles as in Lindqvist (POAC 1989) and Riska et al. (1997): φ between stem and waterline, α between waterline and centreline.
 #pragma once
 
@@ -34,6 +35,7 @@ struct HullShape {
   double stern_angle = std::numbers::pi * 35 / 180;            ///< φ_s [rad]
   double stern_waterline_angle = std::numbers::pi * 30 / 180;  ///< α_s [rad]
   double bilge_radius = 0;                                     ///< R [m]; 0: a hard chine
+  double stem_radius = 0;                                      ///< r [m] of the waterlines at the stem, a quarter of the breadth at most; 0: a sharp edge
   double flare = 0;                                            ///< γ [rad] of the sides from the vertical, outward as they rise
   double edge_length = 0;                                      ///< [m] edge length of panels aft of the bow
   double bow_edge_length = 0;                                  ///< [m] in the bow, growing gradually behind it; 0: as edge_length
@@ -48,18 +50,22 @@ class HullForm {
   double stem(double z) const { return -z * cot_stem_; }                   ///< x_b [m]
   double stern(double z) const { return shape_.length + z * cot_stern_; }  ///< x_e [m]
   double section(double z) const;                                          ///< b [m], -T <= z <= F
-  double bow_length() const { return bow_length_; }                        ///< l_b [m]
+  double bow_length() const { return bow_length_; }                        ///< [m] from the stem to the full breadth: l_b - s
+  double stem_arc() const { return arc_; }                                 ///< [m] aft of the stem to the end of its arc; 0 for a sharp edge
   double stern_length() const { return stern_length_; }                    ///< l_s [m]
-  double bow_share(double t) const;                                        ///< W_b
+  double bow_share(double t) const;                                        ///< W_b, t from the stem to the full breadth
   double stern_share(double u) const { return 1 - (1 - u) * (1 - u); }     ///< W_s
   double bilge_top() const { return shape_.bilge_radius - shape_.draft; }  ///< R - T [m]
   double half_breadth(double x, double z) const;                           ///< y [m], 0 before the stem and behind the stern
   const HullShape& shape() const { return shape_; }                        ///< as given
 
  private:
+  void round_stem();
+
   HullShape shape_;
   double cot_stem_, cot_stern_, tan_flare_;
   double bow_length_, stern_length_;
+  double ahead_ = 0, arc_ = 0;  ///< [m] s; of stem_arc()
 };
 
 /// Triangles oriented outward, closed, with shared vertices on the form; starboard and port are exact mirror images. Parts: `bow`, `side` and

@@ -83,10 +83,9 @@ def _(t):
     t.expect_complaint(t.run_program("check", deck), 2, "deck.yaml:", "hull: bilge_radius is 0.01 m")
 
 
-@claim("shape: without friction the ice force on the bow of a generated ship has the ratio cot φ, for any panels")
+@claim("shape: without friction the ice force on the bow of a generated ship has the ratio cot φ, for any panels and stem radius")
 def _(t):
-    (t.folder / "ship.yaml").write_text(
-        """\
+    deck = """\
 time: {end: 0.3 s}
 bodies:
   floe:
@@ -96,18 +95,22 @@ bodies:
     material: {model: ordinary-state, youngs_modulus: 1.8 GPa, poissons_ratio: 0.25, density: 900, critical_stretch: 3.2e-4}
 impactors:
   ship:
-    surface: {hull: {length: 155, breadth: 23, draft: 9, stem_angle: 24 deg, waterline_angle: 22 deg, edge_length: 8, bow_edge_length: 3}}
+    surface: {hull: {length: 155, breadth: 23, draft: 9, stem_angle: 24 deg, waterline_angle: 22 deg, edge_length: 8, bow_edge_length: 3, stem_radius: STEM}}
     mass: 22171 t
     velocity: [-20, 0, 0]
     gauges: {bow: {surface_parts: [bow]}}
-output: {folder: results, frames: 0, history_interval: 0.3 s}
+output: {frames: 0, history_interval: 0.3 s}
 """
-    )
-    t.expect_success("run", "ship.yaml", "--threads", "1")
-    last = list(csv.DictReader((t.folder / "results/history.csv").open()))[-1]
-    along, up = (float(last[f"ship.bow.force_{axis} [N]"]) for axis in "xz")
-    t.assertGreater(along, 1e4)
-    t.assertAlmostEqual(up / along / (1 / math.tan(math.radians(24))), 1, delta=1e-9)  # rounding of a few hundred impulses
+    forces = []
+    for stem_radius in ("0", "2 m"):
+        (t.folder / "ship.yaml").write_text(deck.replace("STEM", stem_radius))
+        t.expect_success("run", "ship.yaml", "--threads", "1", "--out", f"results_{stem_radius[0]}")
+        last = list(csv.DictReader((t.folder / f"results_{stem_radius[0]}/history.csv").open()))[-1]
+        along, up = (float(last[f"ship.bow.force_{axis} [N]"]) for axis in "xz")
+        t.assertGreater(along, 1e4)
+        t.assertAlmostEqual(up / along / (1 / math.tan(math.radians(24))), 1, delta=1e-9)  # rounding of a few hundred impulses
+        forces.append(along)
+    t.assertNotAlmostEqual(forces[0] / forces[1], 1, delta=0.01)  # another shape
 
 
 main()

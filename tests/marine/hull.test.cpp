@@ -49,6 +49,7 @@ HullShape any_hull(std::mt19937_64& random) {
   hull.stern_angle = between(15, 90) * degree;
   hull.stern_waterline_angle = between(15, 60) * degree;
   hull.bilge_radius = random() % 3 ? hull.draft * between(0, 1) : 0;
+  hull.stem_radius = random() % 2 ? hull.breadth * between(0.005, 0.25) : 0;
   hull.flare = random() % 2 ? between(-10, 25) * degree : 0;
   hull.edge_length = hull.breadth * between(0.05, 0.5);
   hull.bow_edge_length = random() % 2 ? hull.edge_length * between(0.2, 1) : 0;
@@ -87,9 +88,40 @@ std::vector<PartTriangle> part(const Panels& panels, const std::string& name) {
 
 Vec3d normal(const PartTriangle& t) { return normalised(cross(t.b - t.a, t.c - t.a)); }
 
+/// Half-breadth of the bow's waterline x aft of the stem, for half the breadth b of the ship. With a stem radius by rolling: the waterline is the envelope of
+/// the curve and of the circle whose front is at the stem, found by search for the circle nearest to the stem that the curve still encloses.
+class BowLine {
+ public:
+  explicit BowLine(const HullShape& s)
+      : half_(s.breadth / 2), p_(s.fullness), length_(s.fullness * half_ / std::tan(s.waterline_angle)), radius_(s.stem_radius) {
+    if (radius_ == 0) return;
+    double low = 0, high = 2 * length_;  // of the circle's centre behind the stem of the curve
+    for (int k = 0; k < 50; ++k) (encloses(0.5 * (low + high)) ? high : low) = 0.5 * (low + high);
+    ahead_ = high - radius_;
+    double nearest = 1e300;
+    for (int k = 0; k <= samples; ++k) {
+      const double x = length_ * k / samples, distance = std::hypot(x - high, sharp(x));
+      if (distance < nearest) nearest = distance, tangent_ = x - ahead_;
+    }
+  }
+  double length() const { return length_ - ahead_; }
+  double operator()(double x) const { return x < tangent_ ? std::sqrt(x * (2 * radius_ - x)) : sharp(x + ahead_); }
+
+ private:
+  static constexpr int samples = 20000;
+  double sharp(double x) const { return half_ * (1 - std::pow(std::fmax(0, 1 - x / length_), p_)); }
+  bool encloses(double centre) const {
+    for (int k = 0; k <= samples; ++k)
+      if (std::hypot(length_ * k / samples - centre, sharp(length_ * k / samples)) < radius_) return false;
+    return true;
+  }
+  double half_, p_, length_, radius_, ahead_ = 0, tangent_ = 0;
+};
+
 /// Below the waterline, by midpoint sums over the formulas of the header, implemented independently.
 double displacement(const HullShape& s) {
-  const double bow = s.fullness * s.breadth / 2 / std::tan(s.waterline_angle), stern = s.breadth / std::tan(s.stern_waterline_angle);
+  const BowLine line(s);
+  const double bow = line.length(), stern = s.breadth / std::tan(s.stern_waterline_angle);
   constexpr int rows = 1500, columns = 3000;
   double sum = 0;
   for (int i = 0; i < rows; ++i) {
@@ -98,8 +130,8 @@ double displacement(const HullShape& s) {
     const double fore = -z / std::tan(s.stem_angle), aft = s.length + z / std::tan(s.stern_angle);
     for (int k = 0; k < columns; ++k) {
       const double x = fore + (aft - fore) * (k + 0.5) / columns;
-      const double t = std::fmin(1, (x - fore) / bow), u = std::fmin(1, (aft - x) / stern);
-      sum += 2 * b * (1 - std::pow(1 - t, s.fullness)) * (1 - (1 - u) * (1 - u)) * (aft - fore) / columns * s.draft / rows;
+      const double share = x - fore < bow ? line(x - fore) / (s.breadth / 2) : 1, u = std::fmin(1, (aft - x) / stern);
+      sum += 2 * b * share * (1 - (1 - u) * (1 - u)) * (aft - fore) / columns * s.draft / rows;
     }
   }
   return sum;
@@ -108,8 +140,9 @@ double displacement(const HullShape& s) {
 }  // namespace
 
 TEST_CASE("hull: the normals of all bow panels have n_x/n_z = tan φ, those of the stern tan φ_s, whatever the panels") {
-  for (const double bow_edge_length : {4.0, 1.0, 0.7}) {
-    const HullShape shape = ship(4, bow_edge_length);
+  for (const auto& [bow_edge_length, stem_radius] : {std::pair{4.0, 0.0}, {1.0, 0.0}, {0.7, 0.0}, {4.0, 2.0}, {0.7, 0.5}}) {
+    HullShape shape = ship(4, bow_edge_length);
+    shape.stem_radius = stem_radius;
     const Panels hull = make_hull(shape);
     for (const auto& [name, angle] : {std::pair{"bow", shape.stem_angle}, std::pair{"stern", -shape.stern_angle}}) {
       REQUIRE(!part(hull, name).empty());
@@ -147,6 +180,52 @@ TEST_CASE("hull: waterlines meet the centreline at the angles of entrance and ru
     };
     CHECK(slope(form.stem(z), 0.1) == fixtures::relative(std::tan(22 * degree), 1e-12));
     CHECK(slope(form.stern(z), -0.1) == fixtures::relative(std::tan(30 * degree), 1e-12));
+  }
+}
+
+TEST_CASE("hull: waterlines above the bilge begin with an arc of the stem radius, and go on tangent to it at the angle of entrance of a wedge") {
+  HullShape shape = ship(1, 1);
+  for (const double radius : {0.5, 2.0, 5.75}) {
+    shape.stem_radius = radius;
+    const HullForm form(shape);
+    for (const double z : {-6.0, 0.0, 4.0}) {
+      const double stem = form.stem(z), arc = form.stem_arc();
+      CHECK(form.half_breadth(stem, z) == 0);
+      CHECK(arc > 0);
+      CHECK(arc < radius);
+      for (const double share : {0.01, 0.3, 0.999}) {
+        const double y = form.half_breadth(stem + share * arc, z), x = radius - share * arc;  // from the centre of the arc
+        CHECK(std::hypot(x, y) == fixtures::relative(radius, 1e-9));                         // coordinates of 20 m, next to a vertical tangent
+      }
+      const double step = 1e-4, before = form.half_breadth(stem + arc - step, z), at = form.half_breadth(stem + arc, z), behind = form.half_breadth(stem + arc + step, z);
+      CHECK((behind - at) / step == fixtures::relative((at - before) / step, 3 * step / radius / 0.14));  // the curvature 1/r over a step, times 1/(sin² cos) of the angle
+    }
+    CHECK(form.half_breadth(form.stem(0) + form.bow_length(), 0) == fixtures::relative(0.5 * shape.breadth, 1e-15));
+  }
+  shape.fullness = 1, shape.stem_radius = 0.5;
+  const HullForm wedge(shape);
+  CHECK(wedge.stem_arc() == fixtures::relative(0.5 * (1 - std::sin(22 * degree)), 1e-12));
+  CHECK((wedge.half_breadth(9, 0) - wedge.half_breadth(4, 0)) / 5 == fixtures::relative(std::tan(22 * degree), 1e-12));
+}
+
+TEST_CASE("hull: panels on a stem with a radius follow its arc within 1.6 % of the radius, however coarse the bow is") {
+  for (const auto& [radius, bow_edge_length] : {std::pair{0.5, 4.0}, {0.5, 0.7}, {2.0, 0.4}, {5.0, 2.0}}) {
+    HullShape shape = ship(4, bow_edge_length);
+    shape.stem_radius = radius;
+    const HullForm form(shape);
+    int on_arc = 0;
+    double farthest = 0;
+    for (const PartTriangle& t : part(make_hull(shape), "bow"))
+      for (const auto& [a, b] : {std::pair{t.a, t.b}, {t.b, t.c}, {t.c, t.a}}) {
+        const Vec3d middle = 0.5 * (a + b);
+        const double behind_stem = middle.x - form.stem(middle.z);
+        if (behind_stem > form.stem_arc() || a.z != b.z) continue;
+        farthest = fixtures::larger(farthest, 1 - std::hypot(radius - behind_stem, middle.y) / radius);
+        ++on_arc;
+      }
+    CHECK(on_arc > 4);
+    CHECK(farthest > 1e-4);
+    CHECK(farthest < 0.0155);  // 1 - cos(0.35/2), of a chord of 0.35 radii
   }
 }
 
@@ -240,6 +319,7 @@ TEST_CASE("hull: inconsistent dimensions are rejected with a message") {
   CHECK(complaint([](HullShape&) {}).empty());
   CHECK(complaint([](HullShape& s) { s.bilge_radius = 9.5; }) ==
         "hull: bilge_radius is 9.5 m, but the bilge must lie below the waterline; use at most the draft, 9 m.");
+  CHECK(complaint([](HullShape& s) { s.stem_radius = 6; }) == "hull: stem_radius is 6 m; use at most a quarter of the breadth, 5.75 m.");
   CHECK(complaint([](HullShape& s) { s.breadth = 6, s.length = 300; }) ==
         "hull: bilge_radius 3 m and flare leave a bottom of half-breadth 0 m; use a smaller radius or flare, or a greater breadth.");
   CHECK(complaint([](HullShape& s) { s.length = 110; }) ==

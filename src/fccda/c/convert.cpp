@@ -16,7 +16,7 @@ static_assert(sizeof(void*) != 8 || (sizeof(fccda_numbers) == 40 && offsetof(fcc
 static_assert(sizeof(void*) != 8 || (sizeof(fccda_points) == 224 && offsetof(fccda_points, mass) == 144 && offsetof(fccda_points, radius) == 184));
 static_assert(sizeof(void*) != 8 || (sizeof(fccda_surface_options) == 24 && offsetof(fccda_surface_options, orientation) == 16));
 static_assert(sizeof(fccda_surface_info) == 136 && offsetof(fccda_surface_info, area) == 48 && offsetof(fccda_surface_info, high) == 112);
-static_assert(sizeof(fccda_hull) == 104 && offsetof(fccda_hull, fullness) == 48 && offsetof(fccda_hull, bow_edge_length) == 96);
+static_assert(sizeof(fccda_hull) == 112 && offsetof(fccda_hull, fullness) == 48 && offsetof(fccda_hull, bow_edge_length) == 104);
 static_assert(sizeof(fccda_propeller) == 104 && offsetof(fccda_propeller, edge_length) == 72 && offsetof(fccda_propeller, is_left_handed) == 96);
 static_assert(sizeof(fccda_box) == 48 && offsetof(fccda_box, centre) == 24);
 static_assert(sizeof(fccda_sectors) == 96 && offsetof(fccda_sectors, hub_radius) == 64 && offsetof(fccda_sectors, blades) == 88);

@@ -102,6 +102,7 @@ HullShape shape_of(const fccda_hull& hull) {
           .stern_angle = or_default(hull.stern_angle, defaults.stern_angle),
           .stern_waterline_angle = or_default(hull.stern_waterline_angle, defaults.stern_waterline_angle),
           .bilge_radius = hull.bilge_radius,
+          .stem_radius = hull.stem_radius,
           .flare = hull.flare,
           .edge_length = hull.edge_length,
           .bow_edge_length = hull.bow_edge_length};

@@ -51,7 +51,8 @@ module fccda
 
   type, bind(C) :: fccda_hull
     real(c_double) :: length = 0, breadth = 0, draft = 0, freeboard = 0, stem_angle = 0, waterline_angle = 0, fullness = 0
-    real(c_double) :: stern_angle = 0, stern_waterline_angle = 0, bilge_radius = 0, flare = 0, edge_length = 0, bow_edge_length = 0
+    real(c_double) :: stern_angle = 0, stern_waterline_angle = 0, bilge_radius = 0, stem_radius = 0, flare = 0, edge_length = 0
+    real(c_double) :: bow_edge_length = 0
   end type
 
   type, bind(C) :: fccda_propeller

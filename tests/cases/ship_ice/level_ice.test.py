@@ -124,6 +124,15 @@ def astern(t):
     t.expect_no_warning("check", "ship.yaml", "--out", "checked")
 
 
+@claim("level ice: the hull has the stem radius that is given, and a sharp stem without one")
+def stem(t):
+    for options, words in (([], "fullness: 1.6, edge_length"), (["--stem-radius", "0.4"], "fullness: 1.6, stem_radius: 0.4 m, edge_length")):
+        write(t, *OPTIONS, *options)
+        t.assertIn(words, (t.folder / "ship.yaml").read_text(encoding="utf-8"))
+        t.expect_no_warning("check", "ship.yaml", "--out", "checked")
+        (t.folder / "ship.yaml").unlink()
+
+
 @claim("level ice: data that are impossible, and a file that exists, are refused with a sentence")
 def refused(t):
     for change, words in (

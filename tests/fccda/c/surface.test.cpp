@@ -73,9 +73,9 @@ TEST_CASE("C interface: hulls and propellers are those of C++, and a member that
     CHECK(found.panels == expected.panels);
     fccda_surface_destroy(surface);
   };
-  fccda_hull hull{120, 20, 6, 3, 0.5, 0.4, 0, 0, 0, 1.5, 0.1, 4, 2};
-  HullShape shape{.length = 120, .breadth = 20, .draft = 6, .freeboard = 3, .stem_angle = 0.5, .waterline_angle = 0.4, .bilge_radius = 1.5, .flare = 0.1};
-  shape.edge_length = 4, shape.bow_edge_length = 2;
+  fccda_hull hull{120, 20, 6, 3, 0.5, 0.4, 0, 0, 0, 1.5, 0.7, 0.1, 4, 2};
+  HullShape shape{.length = 120, .breadth = 20, .draft = 6, .freeboard = 3, .stem_angle = 0.5, .waterline_angle = 0.4, .bilge_radius = 1.5, .stem_radius = 0.7};
+  shape.flare = 0.1, shape.edge_length = 4, shape.bow_edge_length = 2;
   fccda_surface* surface = nullptr;
   REQUIRE(fccda_surface_hull(&hull, &surface) == FCCDA_OK);
   expect_same(surface, make_hull(shape));
