@@ -62,22 +62,43 @@ def travel_in_ice(rows):
     return position[touched[0]] - position
 
 
+def curve_of_bow(hull):
+    """(length [m], half-breadth [m] that far behind its beginning) of the curve of the bow's waterline: y = B/2 (1 - (1 - t)^p), t over p B/2 / tan α (docs/guide/shapes.md)."""
+    half, fullness = hull["breadth"] / 2, hull["fullness"]
+    length = fullness * half / np.tan(hull["waterline_angle"])
+    return length, lambda behind: half * (1 - (1 - np.clip(np.asarray(behind) / length, 0, 1)) ** fullness)
+
+
+def arc_of_stem(hull):
+    """(distance [m] from the beginning of that curve to the stem, distance [m] from the stem to the end of its arc); 0, 0 of a sharp stem."""
+    radius = hull.get("stem_radius", 0)
+    if radius == 0:
+        return 0.0, 0.0
+    length, half_breadth = curve_of_bow(hull)
+    places = np.linspace(0, length, 200_001)
+    widths = half_breadth(places)
+    slopes = np.gradient(widths, places)
+    tangent = np.argmax(widths * np.hypot(1, slopes) >= radius)  # where the normal of the curve meets the centreline at the distance of the radius
+    ahead = places[tangent] + widths[tangent] * slopes[tangent] - radius
+    return ahead, places[tangent] - ahead
+
+
 def bow_length(hull):
-    """[m] p B/2 / tan α of a hull as in run.json (docs/guide/shapes.md), whose stem is sharp: a stem radius shortens it by less than twice that radius."""
-    return hull["fullness"] * hull["breadth"] / 2 / np.tan(hull["waterline_angle"])
+    """[m] from the stem to the full breadth, of a hull as in run.json."""
+    return curve_of_bow(hull)[0] - arc_of_stem(hull)[0]
 
 
 def breadth_of_waterline(hull, behind):
-    """[m] that far behind the stem [m]: y = B/2 (1 - (1 - t)^p) in the bow; 0 ahead of it."""
-    return hull["breadth"] * (1 - (1 - np.clip(behind / bow_length(hull), 0, 1)) ** hull["fullness"])
+    """[m] that far behind the stem [m]; 0 ahead of it."""
+    behind, (ahead, arc), radius = np.asarray(behind, dtype=float), arc_of_stem(hull), hull.get("stem_radius", 0)
+    on_arc = np.sqrt(np.clip(behind * (2 * radius - behind), 0, None))
+    return 2 * np.where(behind <= 0, 0, np.where(behind < arc, on_arc, curve_of_bow(hull)[1](behind + ahead)))
 
 
 def breadth_in_ice(hull, travel):
     """[m] of the waterline, that far behind the stem, and its mean in front of there."""
-    breadth, fullness, length = hull["breadth"], hull["fullness"], bow_length(hull)
-    rest = 1 - min(travel, length) / length
-    area = breadth * (travel - length * (1 - rest ** (fullness + 1)) / (fullness + 1))
-    return breadth_of_waterline(hull, travel), area / travel
+    places = np.linspace(0, travel, 20_001)
+    return float(breadth_of_waterline(hull, travel)), float(np.trapz(breadth_of_waterline(hull, places), places) / travel)
 
 
 @functools.cache  # tables and figures use the same runs

@@ -19,7 +19,7 @@ namespace fccda {
 namespace {
 
 constexpr double edges_of_radius = 0.35;  // of a stem with a radius: chords leave the arc by 1.5 % of it
-constexpr double growth = 0.2;  // of the edges behind the bow, [m] per metre: a ratio of 1.2 from panel to panel
+constexpr double growth = 0.2;            // of the edges behind the bow, [m] per metre: a ratio of 1.2 from panel to panel
 
 template <class... Words>
 [[noreturn]] void refuse(const Words&... words) {
@@ -48,7 +48,6 @@ class HullPanels {
       : form_(form), shape_(form.shape()), bow_edge_length_(shape_.bow_edge_length > 0 ? shape_.bow_edge_length : shape_.edge_length) {}
 
   Panels make() {
-    expect_affordable(estimate(), bow_edge_length_, "hull");
     lay_columns();
     std::vector<ColumnVertices> vertices;
     for (const Column& column : columns_) vertices.push_back(add_column(column));
@@ -60,55 +59,80 @@ class HullPanels {
   }
 
  private:
-  double widest() const { return std::fmax(form_.section(shape_.freeboard), form_.section(0)); }
+  double widest() const { return std::fmax(form_.section(form_.bilge_top()), std::fmax(form_.section(shape_.freeboard), form_.section(0))); }
   double length_of_side() const { return form_.stern(shape_.freeboard) - form_.stem(shape_.freeboard) - form_.bow_length() - form_.stern_length(); }
-  /// Edges on the arc of the stem follow its curvature, and grow behind it.
-  double size_on_arc() const { return form_.stem_arc() > 0 ? std::fmin(bow_edge_length_, edges_of_radius * shape_.stem_radius) : bow_edge_length_; }
-  double size_in_bow(double behind_stem) const {
-    return std::fmin(bow_edge_length_, size_on_arc() + growth * std::fmax(0.0, behind_stem - form_.stem_arc()));
-  }
-  double size_behind_bow(double distance) const { return std::fmin(shape_.edge_length, bow_edge_length_ + growth * distance); }
 
-  /// Estimated number of triangles, an upper bound.
-  double estimate() const {
+  /// Edges along the longest waterline over one stretch, by samples of a parameter u from 0 to 1.
+  struct Spread {
+    std::vector<double> along{0.0};  ///< [m] of the waterline, up to each sample
+    std::vector<double> count{0.0};  ///< of edges
+    double triangles = 0;            ///< estimate, an upper bound
+  };
+  static constexpr int samples = 20000;  // of a smooth curve: the counts are accurate to 1e-8
+
+  /// share_at(u): of the stretch; advance(k) [m]: along the ship from a sample to the
+  /// next; share_of_breadth(share); size(share, along) [m]: of edges.
+  template <class ShareAt, class Advance, class Widening, class Size>
+  Spread spread(const ShareAt& share_at, const Advance& advance, const Widening& share_of_breadth, const Size& size) const {
     const double height = shape_.freeboard + shape_.draft;
     const double girth = 2 * widest() + height / std::sin(std::fmin(shape_.stem_angle, shape_.stern_angle)) + widest();
-    const double bow = form_.bow_length() + widest(), rest = length_of_side() + form_.stern_length() + widest();
-    return 4 * girth *
-           (2 * shape_.stem_radius / (size_on_arc() * size_on_arc()) + (1 / size_on_arc() - 1 / bow_edge_length_) / growth +
-            bow / (bow_edge_length_ * bow_edge_length_) + (1 / bow_edge_length_ - 1 / shape_.edge_length) / growth +
-            rest / (shape_.edge_length * shape_.edge_length));
+    constexpr auto bands = static_cast<double>(band_count);
+    Spread found;
+    const auto width = [&](int k) { return widest() * share_of_breadth(share_at(double(k) / samples)); };
+    for (int k = 0; k < samples; ++k) {
+      const double step = std::hypot(advance(k), width(k + 1) - width(k)), along = found.along.back();
+      const double edge = size(share_at((k + 0.5) / samples), along + 0.5 * step);
+      found.count.push_back(found.count.back() + step / edge);
+      found.along.push_back(along + step);
+      found.triangles += 4 * (step / edge) * (girth / edge + bands);
+    }
+    found.triangles += 4 * (girth / size(1.0, found.along.back()) + bands);  // a further column, as counts are rounded up
+    return found;
   }
 
-  /// Columns over one stretch, without the last: at equal counts of edges of the target size along the longest waterline.
-  template <class Widening, class Size>
-  void lay(Stretch stretch, double length, const Widening& share_of_breadth, const Size& size) {
-    constexpr int samples = 20000;  // of a smooth curve: the counts are accurate to 1e-8
-    std::vector<double> count(samples + 1, 0.0);
-    const auto width = [&](int k) { return widest() * share_of_breadth(double(k) / samples); };
-    for (int k = 0; k < samples; ++k) {
-      const double step = std::hypot(length / samples, width(k + 1) - width(k));
-      count[static_cast<std::size_t>(k + 1)] = count[static_cast<std::size_t>(k)] + step / size((k + 0.5) / samples);
-    }
-    const double edges = divisions(count.back(), 1);
+  /// Columns over one stretch, without the last, at equal counts of edges.
+  template <class ShareAt, class Size>
+  void lay(Stretch stretch, const Spread& over, const ShareAt& share_at, const Size& size) {
+    const double edges = divisions(over.count.back(), 1);
     for (int column = 0; column < static_cast<int>(edges); ++column) {
-      const double wanted = count.back() * column / edges;
-      const auto above = std::upper_bound(count.begin(), count.end(), wanted);
-      const auto k = static_cast<double>(above - count.begin() - 1);
-      const double share = column == 0 ? 0 : (k + (wanted - *(above - 1)) / (*above - *(above - 1))) / samples;
-      columns_.push_back({stretch, share, size(share)});
+      const double wanted = over.count.back() * column / edges;
+      const auto above = std::upper_bound(over.count.begin(), over.count.end(), wanted);
+      const auto k = static_cast<std::size_t>(above - over.count.begin() - 1);
+      const double within = column == 0 ? 0 : (wanted - *(above - 1)) / (*above - *(above - 1));
+      const double share = column == 0 ? 0 : share_at((static_cast<double>(k) + within) / samples);
+      columns_.push_back({stretch, share, size(share, over.along[k] + within * (over.along[k + 1] - over.along[k]))});
     }
   }
 
   void lay_columns() {
-    const double side = length_of_side(), stern = form_.stern_length();
-    lay(
-        Stretch::bow, form_.bow_length(), [&](double t) { return form_.bow_share(t); }, [&](double t) { return size_in_bow(t * form_.bow_length()); });
-    lay(
-        Stretch::side, side, [](double) { return 1.0; }, [&](double f) { return size_behind_bow(f * side); });
-    lay(
-        Stretch::stern, stern, [&](double f) { return form_.stern_share(1 - f); }, [&](double f) { return size_behind_bow(side + f * stern); });
-    columns_.push_back({Stretch::stern, 1, size_behind_bow(side + stern)});
+    const double bow = form_.bow_length(), side = length_of_side(), stern = form_.stern_length();
+    // edges follow the curvature of the stem, whose arc has half of the samples, at equal angles: its tangent at the stem is across the ship
+    const double radius = shape_.stem_radius, arc = form_.stem_arc(), angle = arc > 0 ? std::acos(1 - arc / radius) : 0;
+    const double on_arc = arc > 0 ? std::fmin(bow_edge_length_, edges_of_radius * radius) : bow_edge_length_;
+    const auto in_bow = [&](double u) {
+      if (arc == 0) return u;
+      return std::fmin(1.0, (u < 0.5 ? radius * (1 - std::cos(2 * u * angle)) : arc + (2 * u - 1) * (bow - arc)) / bow);
+    };
+    const auto evenly = [](double u) { return u; };
+    const auto along_bow = [&](int k) { return arc == 0 ? bow / samples : bow * (in_bow(double(k + 1) / samples) - in_bow(double(k) / samples)); };
+    const auto bow_size = [&](double, double along) { return std::fmin(bow_edge_length_, on_arc + growth * std::fmax(0.0, along - radius * angle)); };
+    const Spread over_bow = spread(
+        in_bow, along_bow, [&](double t) { return form_.bow_share(t); }, bow_size);
+
+    const double last = bow_size(1, over_bow.along.back());
+    const auto behind_bow = [&](double distance) { return std::fmin(shape_.edge_length, last + growth * distance); };
+    const auto side_size = [&](double f, double) { return behind_bow(f * side); };
+    const auto stern_size = [&](double f, double) { return behind_bow(side + f * stern); };
+    const Spread over_side = spread(
+        evenly, [&](int) { return side / samples; }, [](double) { return 1.0; }, side_size);
+    const Spread over_stern = spread(
+        evenly, [&](int) { return stern / samples; }, [&](double f) { return form_.stern_share(1 - f); }, stern_size);
+    expect_affordable(over_bow.triangles + over_side.triangles + over_stern.triangles, bow_edge_length_, "hull");
+
+    lay(Stretch::bow, over_bow, in_bow, bow_size);
+    lay(Stretch::side, over_side, evenly, side_size);
+    lay(Stretch::stern, over_stern, evenly, stern_size);
+    columns_.push_back({Stretch::stern, 1, stern_size(1, 0)});
   }
 
   Vec3d place(const Column& column, double z, double section) const {
@@ -210,8 +234,9 @@ HullForm::HullForm(const HullShape& shape)
   EXPECTS(shape.length > 0 && shape.breadth > 0 && shape.draft > 0 && shape.freeboard > 0 && shape.edge_length > 0);
   EXPECTS(shape.stem_angle > 0 && shape.waterline_angle > 0 && shape.stern_angle > 0 && shape.stern_waterline_angle > 0);
   EXPECTS(shape.fullness >= 1 && shape.bilge_radius >= 0 && shape.stem_radius >= 0 && shape.bow_edge_length >= 0);
-  if (shape.stem_radius > 0.25 * shape.breadth)
-    refuse("stem_radius is ", shape.stem_radius, " m; use at most a quarter of the breadth, ", 0.25 * shape.breadth, " m.");
+  if (shape.stem_radius > 0 && (shape.stem_radius < 1e-3 * shape.breadth || shape.stem_radius > 0.25 * shape.breadth))
+    refuse("stem_radius is ", shape.stem_radius, " m; use 0, a sharp edge, or ", 1e-3 * shape.breadth, " to ", 0.25 * shape.breadth,
+           " m, a thousandth to a quarter of the breadth.");
   if (shape.stem_radius > 0) round_stem();
   if (shape.bilge_radius > shape.draft)
     refuse("bilge_radius is ", shape.bilge_radius, " m, but the bilge must lie below the waterline; use at most the draft, ", shape.draft, " m.");
@@ -223,8 +248,8 @@ HullForm::HullForm(const HullShape& shape)
     refuse("the sides meet below the deck, whose half-breadth would be ", narrowest_deck, " m; use a flare nearer to 0, or a lower freeboard.");
   const double bottom_length = stern(-shape.draft) - stem(-shape.draft);
   if (bow_length_ + stern_length_ > bottom_length - 1e-3 * shape.length)
-    refuse("the bow is ", bow_length_, " m long (fullness * breadth/2 / tan of waterline_angle", shape.stem_radius > 0 ? ", less what stem_radius takes" : "", ") and the stern ", stern_length_,
-           " m, but the bottom between stem and stern only ", bottom_length,
+    refuse("the bow is ", bow_length_, " m long (fullness * breadth/2 / tan of waterline_angle", shape.stem_radius > 0 ? ", less what stem_radius takes" : "",
+           ") and the stern ", stern_length_, " m, but the bottom between stem and stern only ", bottom_length,
            " m; use larger waterline angles, a larger stem or stern angle, a smaller fullness or a longer ship.");
   if (shape.bow_edge_length > shape.edge_length)
     refuse("bow_edge_length is ", shape.bow_edge_length, " m, but the bow is made finer, not coarser, than edge_length, ", shape.edge_length, " m.");

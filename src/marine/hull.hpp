@@ -13,8 +13,8 @@
 ///   hull      y(x, z) = b(z) W_b W_s
 ///
 /// Consequences, without flare: every waterline above the bilge meets the centreline at exactly the angle α (α_s at the stern), with a stem of
-/// radius r past its arc; the buttocks of the bow are straight and parallel to the stem, so the normals have n_x/n_z = tan φ everywhere there. With flare both hold on the waterline.
-/// Angles as in Lindqvist (POAC 1989) and Riska et al. (1997): φ between stem and waterline, α between waterline and centreline.
+/// radius r past its arc; the buttocks of the bow are straight and parallel to the stem, so the normals have n_x/n_z = tan φ everywhere there. With flare both
+/// hold on the waterline. Angles as in Lindqvist (POAC 1989) and Riska et al. (1997): φ between stem and waterline, α between waterline and centreline.
 #pragma once
 
 #include <numbers>
@@ -35,7 +35,7 @@ struct HullShape {
   double stern_angle = std::numbers::pi * 35 / 180;            ///< φ_s [rad]
   double stern_waterline_angle = std::numbers::pi * 30 / 180;  ///< α_s [rad]
   double bilge_radius = 0;                                     ///< R [m]; 0: a hard chine
-  double stem_radius = 0;                                      ///< r [m] of the waterlines at the stem, a quarter of the breadth at most; 0: a sharp edge
+  double stem_radius = 0;                                      ///< r [m] of the waterlines at the stem, 0.001 to 0.25 of the breadth; 0: a sharp edge
   double flare = 0;                                            ///< γ [rad] of the sides from the vertical, outward as they rise
   double edge_length = 0;                                      ///< [m] edge length of panels aft of the bow
   double bow_edge_length = 0;                                  ///< [m] in the bow, growing gradually behind it; 0: as edge_length

@@ -2,6 +2,7 @@
 
 #include <doctest/doctest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <map>
 #include <numbers>
@@ -49,7 +50,7 @@ HullShape any_hull(std::mt19937_64& random) {
   hull.stern_angle = between(15, 90) * degree;
   hull.stern_waterline_angle = between(15, 60) * degree;
   hull.bilge_radius = random() % 3 ? hull.draft * between(0, 1) : 0;
-  hull.stem_radius = random() % 2 ? hull.breadth * between(0.005, 0.25) : 0;
+  hull.stem_radius = random() % 2 ? hull.breadth * std::pow(10, between(-2.99, -0.61)) : 0;
   hull.flare = random() % 2 ? between(-10, 25) * degree : 0;
   hull.edge_length = hull.breadth * between(0.05, 0.5);
   hull.bow_edge_length = random() % 2 ? hull.edge_length * between(0.2, 1) : 0;
@@ -195,10 +196,12 @@ TEST_CASE("hull: waterlines above the bilge begin with an arc of the stem radius
       CHECK(arc < radius);
       for (const double share : {0.01, 0.3, 0.999}) {
         const double y = form.half_breadth(stem + share * arc, z), x = radius - share * arc;  // from the centre of the arc
-        CHECK(std::hypot(x, y) == fixtures::relative(radius, 1e-9));                         // coordinates of 20 m, next to a vertical tangent
+        CHECK(std::hypot(x, y) == fixtures::relative(radius, 1e-9));                          // coordinates of 20 m, next to a vertical tangent
       }
-      const double step = 1e-4, before = form.half_breadth(stem + arc - step, z), at = form.half_breadth(stem + arc, z), behind = form.half_breadth(stem + arc + step, z);
-      CHECK((behind - at) / step == fixtures::relative((at - before) / step, 3 * step / radius / 0.14));  // the curvature 1/r over a step, times 1/(sin² cos) of the angle
+      const double step = 1e-4, before = form.half_breadth(stem + arc - step, z), at = form.half_breadth(stem + arc, z),
+                   behind = form.half_breadth(stem + arc + step, z);
+      CHECK((behind - at) / step ==
+            fixtures::relative((at - before) / step, 3 * step / radius / 0.14));  // the curvature 1/r over a step, times 1/(sin² cos) of the angle
     }
     CHECK(form.half_breadth(form.stem(0) + form.bow_length(), 0) == fixtures::relative(0.5 * shape.breadth, 1e-15));
   }
@@ -209,7 +212,7 @@ TEST_CASE("hull: waterlines above the bilge begin with an arc of the stem radius
 }
 
 TEST_CASE("hull: panels on a stem with a radius follow its arc within 1.6 % of the radius, however coarse the bow is") {
-  for (const auto& [radius, bow_edge_length] : {std::pair{0.5, 4.0}, {0.5, 0.7}, {2.0, 0.4}, {5.0, 2.0}}) {
+  for (const auto& [radius, bow_edge_length] : {std::pair{0.5, 4.0}, {0.5, 0.7}, {0.024, 1.0}, {2.0, 0.4}, {5.0, 2.0}}) {
     HullShape shape = ship(4, bow_edge_length);
     shape.stem_radius = radius;
     const HullForm form(shape);
@@ -293,6 +296,32 @@ TEST_CASE("hull: the volume below the waterline of random hulls converges to the
   CHECK(count >= 3);
 }
 
+TEST_CASE("hull: edges along the deck grow by at most a fifth of the distance from the stem on, also behind a bow that is shorter than the growth takes") {
+  for (const double angle : {22.0, 60.0, 80.0, 89.0})
+    for (const double radius : {0.03, 0.5, 2.0}) {
+      HullShape shape = ship(4, 3);
+      shape.bilge_radius = 0, shape.draft = 2, shape.stem_angle = 90 * degree;
+      shape.waterline_angle = angle * degree, shape.stem_radius = radius;
+      std::vector<Vec3d> rail;  // of starboard, from the stem aft
+      for (const PartTriangle& t : part(make_hull(shape), "deck"))
+        for (const Vec3d& v : {t.a, t.b, t.c})
+          if (v.y >= 0 && std::fabs(v.y - HullForm(shape).half_breadth(v.x, 6)) < 1e-9) rail.push_back(v);
+      std::ranges::sort(rail, [](const Vec3d& a, const Vec3d& b) { return std::pair{a.x, a.y} < std::pair{b.x, b.y}; });
+      rail.erase(std::unique(rail.begin(), rail.end()), rail.end());
+      double before = 0, largest = 0;
+      for (std::size_t k = 1; k < rail.size(); ++k) {
+        if (rail[k].x > 100) break;
+        const double edge = norm(rail[k] - rail[k - 1]);
+        if (before > 0) largest = fixtures::larger(largest, edge / before);
+        before = edge;
+      }
+      CAPTURE(angle);
+      CAPTURE(radius);
+      CHECK(largest > 1);
+      CHECK(largest < 1.35);  // 1.2 from middle to middle of edges, and counts are rounded to whole edges in each stretch
+    }
+}
+
 TEST_CASE("hull: edges have the requested sizes, in the bow and elsewhere, and grow gradually between") {
   double longest = 0;
   for_random_hulls(60, [&](const HullShape& shape, const Panels& hull) {
@@ -319,7 +348,9 @@ TEST_CASE("hull: inconsistent dimensions are rejected with a message") {
   CHECK(complaint([](HullShape&) {}).empty());
   CHECK(complaint([](HullShape& s) { s.bilge_radius = 9.5; }) ==
         "hull: bilge_radius is 9.5 m, but the bilge must lie below the waterline; use at most the draft, 9 m.");
-  CHECK(complaint([](HullShape& s) { s.stem_radius = 6; }) == "hull: stem_radius is 6 m; use at most a quarter of the breadth, 5.75 m.");
+  CHECK(complaint([](HullShape& s) { s.stem_radius = 6; }) ==
+        "hull: stem_radius is 6 m; use 0, a sharp edge, or 0.023 to 5.75 m, a thousandth to a quarter of the breadth.");
+  CHECK(complaint([](HullShape& s) { s.stem_radius = 0.02; }).starts_with("hull: stem_radius is 0.02 m; use 0, a sharp edge, or 0.023"));
   CHECK(complaint([](HullShape& s) { s.breadth = 6, s.length = 300; }) ==
         "hull: bilge_radius 3 m and flare leave a bottom of half-breadth 0 m; use a smaller radius or flare, or a greater breadth.");
   CHECK(complaint([](HullShape& s) { s.length = 110; }) ==

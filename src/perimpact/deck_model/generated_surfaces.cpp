@@ -34,11 +34,11 @@ std::span<const Field<HullSurface>> HullSurface::fields() {
        "Half angle of entrance α between waterline and centreline at the stem, for example 22 deg."},
       {"fullness", &S::fullness, "1", between(1, 4), optional,
        "Exponent p of the waterlines of the bow, half-breadth times 1 - (1 - t)^p: 1 is a wedge, larger values are fuller and longer. The bow is p B/2 / tan α "
-       "long."},
+       "long, less what stem_radius takes."},
       {"bilge_radius", &S::bilge_radius, "m", at_least(0), optional,
        "Bilge radius R between side and bottom, at most the draft; 0 is a sharp edge. Where absent, a third of the draft."},
       {"stem_radius", &S::stem_radius, "m", at_least(0), optional,
-       "Radius of the waterlines at the stem, at most a quarter of the breadth; 0 is a sharp edge. Where absent, 0."},
+       "Radius of the waterlines at the stem, a thousandth to a quarter of the breadth; 0 is a sharp edge. Where absent, 0."},
       {"freeboard", &S::freeboard, "m", positive(), optional, "Height F of the flat deck above the waterline. Where absent, two thirds of the draft."},
       {"stern_angle", &S::stern_angle, "rad", up_to_upright(), optional, "Angle between the straight stern and the waterline. Where absent, 35 deg."},
       {"stern_waterline_angle", &S::stern_waterline_angle, "rad", strictly_between(0, 1.57), optional,

@@ -30,6 +30,30 @@ def _(t):
     t.assertAlmostEqual(times, 9.57, delta=0.1)
 
 
+@claim("ship: the breadth that measure.py reports is that of the hull's panels, with a sharp stem and with one of a radius")
+def _(t):
+    from measure import bow_length, breadth_in_ice, breadth_of_waterline
+
+    hull = {"breadth": 23.0, "fullness": 2.0, "waterline_angle": math.radians(22)}
+    for radius in (0.0, 1.0, 4.0):
+        hull["stem_radius"] = radius
+        said = t.expect_success("shape", "hull", "--length", "155", "--breadth", "23", "--draft", "9", "--freeboard", "6", "--stem-angle", "90 deg", "--waterline-angle", "22 deg",
+                                "--stem-radius", f"{radius} m", "--edge-length", "1", "--out", f"{radius}.obj")  # fmt: skip
+        t.assertAlmostEqual(float(re.search(r"bow, stern +(\S+) and", said.out)[1]) / bow_length(hull), 1, delta=1e-4)  # as printed
+        corners = [[float(word) for word in line.split()[1:4]] for line in (t.folder / f"{radius}.obj").read_text().splitlines() if line.startswith("v ")]
+        rail = {}
+        for x, y, z in corners:
+            if z == 6 and x < 70:
+                rail[x] = max(rail.get(x, 0), y)
+        t.assertGreater(len(rail), 50)
+        for x, y in rail.items():
+            t.assertAlmostEqual(float(breadth_of_waterline(hull, x)), 2 * y, delta=1e-3)  # m; the tangent point is found to a fifth of a millimetre
+        # the area of the polygon of the rail, inscribed in the waterline: chords of a metre
+        places = sorted(x for x in rail if x < 40)
+        area = sum((rail[a] + rail[b]) * (b - a) for a, b in zip(places, places[1:]))
+        t.assertAlmostEqual(breadth_in_ice(hull, places[-1])[1] * places[-1] / area, 1, delta=0.002)
+
+
 @claim("ship: no deck of the case is warned of")
 def _(t):
     for deck in ("deck.yaml", "paper.yaml", "window.yaml"):
