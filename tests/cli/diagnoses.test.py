@@ -129,6 +129,18 @@ def _(t):
     t.assertEqual(of(t, "fragments"), [])
 
 
+@claim("diagnoses: a body that hardens so much under pressure that its bonds break in no uniaxial compression yields a warning")
+def _(t):
+    breaking = ("density: 8000 kg/m3}", "density: 8000 kg/m3, critical_stretch: 0.002}\n    failure: {compression_hardening: HARDENING}")
+    contact = ("contact:\n", "contact:\n  fragments: {law: repulsive}\n")
+    for hardening, says in ("0", 0), ("0.249", 0), ("0.25", 1), ("0.3", 1):
+        printed = of(t, "compression_hardening", (breaking[0], breaking[1].replace("HARDENING", hardening)), contact)
+        t.assertEqual(
+            printed,
+            says * [f"The compression_hardening of body plate is {hardening}, not below Poisson's ratio, 0.25: it carries any uniaxial compression. Use a smaller one, or "
+                    "plasticity with the compressive_strength of the material."], hardening)  # fmt: skip
+
+
 @claim("diagnoses: warnings of one kind are grouped: more than three name the first and the other subjects, and pairs without contact are one line")
 def _(t):
     plate = "    material: {model: ordinary-state, youngs_modulus: 191 GPa, poissons_ratio: 0.25, density: 8000 kg/m3}\n"

@@ -108,6 +108,17 @@ void warn_of_modulus(const BodySetup& setup, GroupedSentences& warnings) {
                            setup.name, modulus, modulus < softest ? fmt::format("{:.4g} GPa", modulus) : fmt::format("{:.4g} kPa", 1e-3 * modulus)));
 }
 
+/// From α = ν on, bonds across a compressed specimen never reach their critical stretch (damage.md).
+void warn_of_hardening(const BodySetup& setup, GroupedSentences& warnings) {
+  if (!setup.failure || setup.failure->compression.as<CompressionFailure>() != CompressionFailure::none) return;
+  const double hardening = setup.failure->compression_hardening, ratio = elastic_of(setup).poissons_ratio;
+  if (hardening == 0 || hardening < ratio) return;
+  warnings.add("hardening", setup.name,
+               fmt::format("The compression_hardening of body {} is {:g}, not below Poisson's ratio, {:g}: it carries any uniaxial compression. Use a smaller "
+                           "one, or plasticity with the compressive_strength of the material.",
+                           setup.name, hardening, ratio));
+}
+
 void warn_of_interpenetration(const Setup& setup, const Body& body, GroupedSentences& warnings) {
   if (!body.failure || setup.time.relax || setup.contact.fragments.is_chosen || setup.contact.fragments.law.as<FragmentLaw>() != FragmentLaw::none) return;
   warnings.add("fragments", body.name,
@@ -142,6 +153,7 @@ std::vector<std::string> warnings_about_bodies(const Setup& setup, std::span<con
     warn_of_mass(bodies[b].name, masses[b], warnings);
     warn_of_loose_particles(bodies[b], warnings);
     for (std::string& warning : warnings_of(bodies[b].cracks, bodies[b].name)) warnings.add("cracks", bodies[b].name, std::move(warning));
+    warn_of_hardening(setup.bodies[b], warnings);
     warn_of_interpenetration(setup, bodies[b], warnings);
   }
   return warnings.sentences();
