@@ -25,7 +25,8 @@ can fail: a test moves each number out of its tolerance and verifies that the ro
 it contradicts itself or is ambiguous see [variants](theory/fccda_variants.md). Other tests of the program: [testing](developer/testing.md).
 """
 
-PREDICTIONS = """What rows test can be computed otherwise. These values cannot: they were measured by others, or follow from formulas that were fitted to measurements. Each target was stated before the run, and no constant was changed after it.
+PREDICTIONS = """What rows test can be computed otherwise. These values cannot: they were measured by others, or follow from formulas that were fitted to measurements. Each target was stated before the run. Strengths, stiffness and friction
+were not changed after it. Horizon, contact and edges of the ships' decks were, for reasons other than a resistance: [what was changed, and what was then known](../cases/uikku_ice/README.md#what-was-changed-after-the-first-run).
 Cases: [icebreaker](../cases/ship_ice/README.md#against-formulas), [specimens](../cases/ice_specimens/README.md), [MT Uikku](../cases/uikku_ice/README.md).
 """
 

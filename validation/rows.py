@@ -6,7 +6,7 @@ from pathlib import Path
 
 # unit of a table: (size in SI, digits behind the point)
 UNITS = {
-    "mm": (1e-3, 3), "µm": (1e-6, 2), "m": (1, 2), "nm": (1e-9, 2), "µs": (1e-6, 1), "ms": (1e-3, 2), "m/s": (1, 2), "km/s": (1e3, 2), "MN": (1e6, 3),
+    "mm": (1e-3, 3), "µm": (1e-6, 2), "m": (1, 2), "nm": (1e-9, 2), "µs": (1e-6, 1), "ms": (1e-3, 2), "s": (1, 2), "m/s": (1, 2), "km/s": (1e3, 2), "MN": (1e6, 3),
     "kN/m": (1e3, 1), "N s": (1, 2), "°": (1, 1), "%": (1e-2, 2), "J": (1, 2), "": (1, 3), "count": (1, 0), "exact": (1, None), "small": (1, None),
 }  # fmt: skip
 

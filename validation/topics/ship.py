@@ -58,6 +58,9 @@ def gathered():
         "window, mean": window["full breadth, mean F_x [N]"],
         "window, standard error": window["full breadth, standard error [N]"],
         "window, standard error is a lower bound": window["full breadth, standard error is a lower bound"],
+        "window, mean from first contact": window["whole, mean F_x [N]"],
+        "window, period": window["full breadth, dominant period [s]"],
+        "window, median floe": window["floes, median side by mass [m]"],
         "window, energy": window["energy balance error [J]"] / window["contact work [J]"],
     }
 

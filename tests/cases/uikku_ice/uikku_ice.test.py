@@ -15,7 +15,7 @@ from claims import claim, main  # noqa: E402
 from decks import deck, name_of, ship_in, tests  # noqa: E402
 from direction import hull, loads_of, sheet, strip  # noqa: E402
 from level_ice import deflection_at_breaking  # noqa: E402
-from resistance import ShipInIce  # noqa: E402
+from resistance import ShipInIce, lindqvist  # noqa: E402
 
 
 @claim("uikku_ice: the decks are those that follow from the measured ice")
@@ -43,6 +43,29 @@ def page(t):
     printed = cells(subprocess.run([sys.executable, CASE / "compare.py"], capture_output=True, text=True, check=True).stdout)
     t.assertEqual(len(printed), 5)
     t.assertEqual(cells((CASE / "README.md").read_text(encoding="utf-8")), printed)
+
+
+@claim("uikku_ice: the page has what the published predictions imply, and predictions made with a known friction return it")
+def published(t):
+    import published as script
+
+    printed = subprocess.run([sys.executable, CASE / "published.py"], capture_output=True, text=True, check=True).stdout
+    text = (CASE / "README.md").read_text(encoding="utf-8")
+    for line in (line for line in printed.splitlines() if line.startswith("| ")):
+        t.assertIn(line, text)
+    friction, error = script.implied_friction()
+    t.assertIn(f"a friction of {friction:.3f} ± {error:.3f}", text)
+    # predictions by the whole formula, with another friction: its crushing term is found, whatever the other terms
+    ship = ship_in(tests()[302])
+    made = [(replace(row_ship, friction=0.12), row) for row_ship, row in script.ships()]
+    script.ships, original = lambda: iter([(one, {**row, "Lindqvist [kN]": str(lindqvist(one)["total"] / 1e3)}) for one, row in made]), script.ships
+    try:
+        parts, wanted = script.parts_of_lindqvist()
+        t.assertAlmostEqual(max(abs(parts.sum(axis=1) / wanted - 1)), 0, delta=1e-12)  # the terms add up to the formula
+        script.ships = lambda: iter([(replace(one, friction=ship.friction), {**row, "Lindqvist [kN]": str(lindqvist(one)["total"] / 1e3)}) for one, row in made])
+        t.assertAlmostEqual(script.implied_friction()[0], 0.12, delta=1e-6)
+    finally:
+        script.ships = original
 
 
 @claim("uikku_ice: the ship that is free floats at its draft, and no warning is given for it")
