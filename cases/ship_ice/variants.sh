@@ -6,11 +6,18 @@ source "$(dirname "$0")/../../scripts/variants.bash"
 
 sheet=bodies.sheet
 ship=impactors.ship
-# of four layers none is in the middle; one is held, so that the edge can rotate
-edge() { echo "$sheet.particle_sets.$1={shape: {box: {size: [$2, 0.4 m]}}, position: [$3, 0.25 m]}"; }
 half_step=time.step="0.1175 ms"
-four_layers=("$sheet.spacing=0.5 m" "time.step=0.176 ms" "$(edge far_end "2 m, 81 m" "-29 m, 0")" "$(edge port "58 m, 2 m" "1 m, -39 m")"
-  "$(edge starboard "58 m, 2 m" "1 m, 39 m")")
+# of an even number of layers none is in the middle; the one above it is fixed at the edges, so that they can rotate
+even() { # spacing, half of it, step
+  edge() { echo "$sheet.particle_sets.$1={shape: {box: {size: [$2, $4]}}, position: [$3, $5]}"; }
+  layers=("$sheet.spacing=$1" "time.step=$3" "$(edge far_end "2 m, 81 m" "-29 m, 0" "$2" "$2")" "$(edge port "58 m, 2 m" "1 m, -39 m" "$2" "$2")"
+    "$(edge starboard "58 m, 2 m" "1 m, 39 m" "$2" "$2")")
+}
+even "0.5 m" "0.25 m" "0.176 ms"
+four_layers=("${layers[@]}")
+even "0.25 m" "0.125 m" "0.088 ms"
+eight_layers=("${layers[@]}")
+cut() { echo "$sheet.cracks={track: {polygon: [[-31, 0, -2], [31, 0, -2], [31, 0, $1], [-31, 0, $1]]}}"; } # up to this height above the middle
 
 variant deck
 
@@ -20,8 +27,16 @@ variant crushing_4.6 "contact.impactors.crushing_pressure=4.6 MPa"
 variant step_half "$half_step"
 variant layers_4 "${four_layers[@]}"
 
-# The sheet cut along the track
-variant cut "$sheet.cracks={track: {polygon: [[-31, 0, -2], [31, 0, -2], [31, 0, 2], [-31, 0, 2]]}}" "time.end=2.1 s" output.frames=21
+# A stem of a radius of 1 m; tops that stay dry to 3 m, far below every floe
+variant stem_radius_1 "$ship.surface.hull.stem_radius=1 m"
+variant dry_top_3 "$sheet.boundary_conditions.sea.floating.dry_top=3 m"
+
+# The sheet cut along the track: through all layers, or all but the top one
+entry=("time.end=2.1 s" output.frames=21)
+variant cut "$(cut 2)" "${entry[@]}"
+variant cut_below_top "$(cut 0.33)" "${entry[@]}"
+variant cut_layers_4 "$(cut 2)" "${four_layers[@]}" "${entry[@]}"
+variant cut_layers_8 "$(cut 2)" "${eight_layers[@]}" "${entry[@]}" # some 600 000 particles, an hour on a core
 
 # Rigid contact, with half of the step, panels of 3 m, four layers, and larger horizons, with fragments as stiff in contact
 rigid="contact.impactors={friction: 0}"
