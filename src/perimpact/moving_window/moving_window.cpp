@@ -85,6 +85,37 @@ int MovingWindow::cells_from_front(const Particles& particles, std::size_t slot,
   return moves < 0 ? cell : whole.cells[axis_] - 1 - cell;
 }
 
+void MovingWindow::expect_fixed_along(const BoundaryConditions& boundary_conditions, const Particles& particles, long moves) const {
+  const Share& share = particles.share();
+  const Lattice& whole = *particles.whole_lattice();
+  for (std::size_t direction = 0; direction < 3; ++direction) {
+    std::vector<std::size_t> own;  // of all boundary conditions: they share the edges of a sheet
+    std::vector<std::pair<const std::string*, std::vector<std::size_t>>> sets;
+    for (const NamedBoundaryCondition& one : boundary_conditions.all()) {
+      const auto* fixed = std::get_if<PrescribedDisplacement>(&one.boundary);
+      if (!fixed || !fixed->constrains(direction)) continue;
+      std::vector<std::size_t>& slots = sets.emplace_back(&one.name, std::vector<std::size_t>{}).second;
+      for (const std::uint32_t slot : fixed->slots()) slots.push_back(share.whole_slot(slot));
+      own.insert(own.end(), slots.begin(), slots.end());
+    }
+    std::vector<std::size_t> all = share.ranks().join_all(std::span<const std::size_t>(own));
+    std::ranges::sort(all);
+    for (const auto& [name, slots] : sets) {
+      const auto was_free = std::ranges::any_of(slots, [&](std::size_t slot) {
+        std::array<int, 3> cell = whole.cell(slot);
+        cell[axis_] += cells_of(moves)[axis_];
+        if (cell[axis_] < 0 || cell[axis_] >= whole.cells[axis_]) return false;  // it becomes of new material
+        return !std::ranges::binary_search(all, whole.slot(cell[0], cell[1], cell[2]));
+      });
+      if (share.ranks().any(was_free))
+        throw fccda::RunError(fmt::format(
+            "The moving window of body {} moves along {}{}, and boundary condition {} would put back to its initial position material that was free. Fix "
+            "particles at the front, or over the whole length of the window.",
+            name_, moves < 0 ? '-' : '+', axis_ == 0 ? 'x' : 'y', *name));
+    }
+  }
+}
+
 void MovingWindow::inspect_front(const Body& body, long moves) {
   const auto reach = static_cast<int>(std::ceil(body.family.horizon() / body.particles.spacing()));
   for (const std::uint32_t slot : body.particles.slot_of()) {

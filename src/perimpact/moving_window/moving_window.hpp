@@ -13,6 +13,7 @@
 #include <vector>
 
 #include "perimpact/body/body.hpp"
+#include "perimpact/boundary_conditions/boundary_conditions.hpp"
 #include "perimpact/deck_model/setup.hpp"
 #include "perimpact/impactor/impactor.hpp"
 
@@ -34,6 +35,8 @@ class MovingWindow {
   long moves_due(std::span<const Impactor> impactors) const;
   void move(long moves) { moves_ += moves; }
 
+  /// To be called before a move: throws RunError if a boundary condition would fix, in its initial position, material that was free. Collective.
+  void expect_fixed_along(const BoundaryConditions& boundary_conditions, const Particles& particles, long moves) const;
   /// To be called before a move: examines the material at the front, to which new material is going to be attached. Collective.
   void inspect_front(const Body& body, long moves);
   /// To be called after a move: gives new material the displacement and the velocity of the front, continued linearly along each line of cells from the front

@@ -23,17 +23,17 @@ class DelayedRanks final : public DecoratedRanks<DelayedRanks> {
   }
   template <class Call>
   std::unique_ptr<Exchange> begin(const Traffic& sent, const Call& call) {
-    using Clock = std::chrono::steady_clock;
+    using SteadyClock = std::chrono::steady_clock;
     struct Delayed final : Exchange {
-      Delayed(Clock::time_point arrival, std::unique_ptr<Exchange> exchange) : arrival_(arrival), exchange_(std::move(exchange)) {}
+      Delayed(SteadyClock::time_point arrival, std::unique_ptr<Exchange> exchange) : arrival_(arrival), exchange_(std::move(exchange)) {}
       void complete() override {
         exchange_->complete();
         std::this_thread::sleep_until(arrival_);
       }
-      Clock::time_point arrival_;
+      SteadyClock::time_point arrival_;
       std::unique_ptr<Exchange> exchange_;
     };
-    const auto arrival = Clock::now() + std::chrono::duration_cast<Clock::duration>(duration_of(sent));
+    const auto arrival = SteadyClock::now() + std::chrono::duration_cast<SteadyClock::duration>(duration_of(sent));
     return std::make_unique<Delayed>(arrival, call());
   }
   std::chrono::duration<double> duration_of(const Traffic& sent) const { return std::chrono::duration<double>(network_.seconds_of(sent, size())); }

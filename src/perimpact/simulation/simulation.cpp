@@ -234,6 +234,7 @@ void Simulation::move_window(MovingWindow& window, long moves) {
     visit_parts(visit);
     visit_record(visit);
   };
+  if (window.travel() == 0) window.expect_fixed_along(boundary_conditions_[window.body()], bodies_[window.body()].particles, moves);
   release_from_device();
   window.inspect_front(bodies_[window.body()], moves);
   CapturedState captured;

@@ -73,12 +73,12 @@ def open_water(scene):
 
 @claim("submarine_surfacing: perimpact check warns of nothing in any run of variants.sh")
 def steps(scene):
-    script = "".join(line for line in open(CASE / "variants.sh") if not line.startswith("source"))  # which defines `variant`
-    listed = subprocess.run(["bash", "-c", 'variant() { printf "%s\\0" "$@"; echo; }\n' + script], capture_output=True, text=True, check=True).stdout
+    script = "".join(line for line in open(CASE / "variants.sh") if not line.startswith("source"))  # which defines `variant` and `case`
+    listed = subprocess.run(["bash", "-c", f'case={CASE}\nvariant() {{ printf "%s\\0" "${{deck:-$case/deck.yaml}}" "$@"; echo; }}\n' + script], capture_output=True, text=True, check=True).stdout
     variants = [line.removesuffix("\0").split("\0") for line in listed.splitlines()]
-    scene.assertEqual([name for name, *_ in variants], ["given", "unhardened", "free"])
-    for name, *settings in variants:
-        scene.expect_no_warning("check", DECK, "--out", name, *(word for setting in settings for word in ("--set", setting)))
+    scene.assertEqual([name for _, name, *_ in variants], ["given", "crushed", "free"])
+    for deck, name, *settings in variants:
+        scene.expect_no_warning("check", deck, "--out", name, *(word for setting in settings for word in ("--set", setting)))
 
 
 @claim("submarine_surfacing: at a given speed the sail breaks the sheet before the hull is in contact, and gauges add up")

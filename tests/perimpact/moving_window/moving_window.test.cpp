@@ -423,6 +423,31 @@ TEST_CASE("moving window: a run ends with a sentence where new material would be
   }
 }
 
+TEST_CASE("moving window: a run ends with a sentence where free material would be put back into a fixed set") {
+  constexpr int cells = 64, steps = 20;
+  const auto fixed_over = [](double low, double high) {  // [spacing] from the rear, in travel along -x
+    Setup setup = struck(cells, 0, Model::bond_based, steps);
+    setup.bodies[0].moving_window = window_after(0);
+    SolidSetup set;
+    set.name = "set", set.shape = BoxSolid{{(high - low) * spacing, 1, 2 * spacing}},
+    set.position = {(cells / 2 - 0.5 * (low + high)) * spacing, 0, -2 * spacing};
+    setup.bodies[0].particle_sets = {set};
+    setup.bodies[0].boundary_conditions = {{"grip", FixedSetup{.particle_set = "set", .directions = {"x", "z"}}}};
+    return setup;
+  };
+  for (const auto& [low, high] : {std::pair{-1, 4}, {20, 30}, {-1, 40}}) {
+    Simulation simulation(fixed_over(low, high));
+    CHECK_THROWS_WITH_AS(
+        fixtures::run(simulation),
+        doctest::Contains("body body moves along -x, and boundary condition body.grip would put back to its initial position material that was free"),
+        fccda::RunError);
+  }
+  for (const auto& [low, high] : {std::pair{60, 65}, {-1, 65}, {40, 65}}) {
+    Simulation simulation(fixed_over(low, high));
+    CHECK_NOTHROW(fixtures::run(simulation));
+  }
+}
+
 TEST_CASE("moving window: a window whose impactor does not move along its axis is warned of") {
   const auto warned = [](const Setup& setup) {
     return std::ranges::any_of(Simulation(setup).warnings(), [](const std::string& one) {
