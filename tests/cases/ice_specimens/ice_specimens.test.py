@@ -70,6 +70,17 @@ def implied(scene):
         scene.assertIn(sentence, done.out)
 
 
+@claim("ice_specimens: ice that may yield has the estimated and the exact critical step of ice that may not")
+def step(scene):
+    bond_based = "bodies.ice.material={model: bond-based, youngs_modulus: 1.8 GPa, density: 900, critical_stretch: 3.2e-4PLASTICITY}"
+    found = []
+    for plasticity in ("", ", plasticity: {compressive_strength: 2.3 MPa}", ", plasticity: {compressive_strength: 2.3 MPa, failure_strain: 0.003, failure_pressure: 0.2, failure_width: 3, friction_angle: 30 deg}"):
+        done = scene.expect_success("check", CASE / "compression.yaml", "--out", "checked", "--set", bond_based.replace("PLASTICITY", plasticity))
+        found.append(re.search(r"of the estimated stable step \((\S+) s\), \S+ of the exact critical step \((\S+) s\)", done.out).groups())
+        scene.assertEqual("yields" in done.out, bool(plasticity))
+    scene.assertEqual(len(set(found)), 1, found)
+
+
 @claim("ice_specimens: a disc splits where tension across its loaded diameter is 0.8 E s_c, and the crack lies on that diameter")
 def splitting(scene):
     scene.expect_success("run", CASE / "brazilian.yaml", "--out", "specimens/brazilian", "--set", "output.frames=1", "--set", "time.end=10.5 ms")
