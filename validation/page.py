@@ -8,7 +8,7 @@ from rows import read_numbers
 from runner import ROOT
 from topics.paper import conclusions
 
-TOPICS = ("plate", "fem", "panels", "detection", "convergence", "fracture", "floating_strip", "ice_sphere", "ice_specimens", "ship", "propeller", "energy", "stopping", "coupling", "structures")
+TOPICS = ("plate", "fem", "panels", "detection", "convergence", "fracture", "floating_strip", "ice_sphere", "ice_specimens", "ship", "propeller", "submarine", "energy", "stopping", "coupling", "structures")
 KEPT = ROOT / "validation/measured"
 HEAD = """# Validation: claims and results
 

@@ -33,7 +33,7 @@ SIDE = 0.1  # [m] of the prism
 CRUSHED = 0.005  # [-] strain beyond which the prism is crushed
 DISC = 0.32, 0.08  # [m] diameter, thickness
 ARM, WIDTH, HEIGHT = 0.6, 0.2, 0.2  # [m] of the beam
-PUNCH = 0.16, 0.07  # [m] width, depth of the block
+PUNCH = 0.16  # [m] width
 RADIUS, SPEED, GAP = 0.6, 2.0, 0.001  # [m] [m/s] [m] of the sphere
 AREAS = 0.3, 0.8  # [m²]
 DROP_RADIUS, DROP_CENTRE = 0.2, (0.0017, 0.0009)  # [m]
@@ -110,9 +110,9 @@ def bending(folder):
 
 def punch(folder):
     """(depth over width [-], mean pressure over the compressive strength [-]) of each row."""
-    width, depth = PUNCH
-    yields_at = width * depth * strength(folder, "block")  # [N]
-    return [(ramped(row["time"], 4e-3, 0.15) / width, -row["block.punch.force_z"] / yields_at) for row in history(folder)]
+    depth = report_of(folder)["setup"]["bodies"]["block"]["shape"]["box"]["size"][1]
+    yields_at = PUNCH * depth * strength(folder, "block")  # [N]
+    return [(ramped(row["time"], 4e-3, 0.15) / PUNCH, -row["block.punch.force_z"] / yields_at) for row in history(folder)]
 
 
 def cap(radius, depth):

@@ -22,7 +22,7 @@ sys.path.insert(0, str(CASE.parents[1] / "scripts/results"))
 from render import Scene  # noqa: E402
 from vtp_reader import picture_at  # noqa: E402
 
-INSTANTS = 0.6, 2.4, 4.4, 10.0  # [s] of the free rise: the sail has cracked the ice, penetrates it, the hull lifts it, at rest
+INSTANTS = 0.6, 2.4, 4.4, 14.0  # [s] of the free rise: the sail has cracked the ice, penetrates it, the hull lifts it, at rest
 END = 1e9  # [s] later than any frame
 FLOE = 2e-3  # share of the ice above which a fragment has its own colour
 COLOURS = LinearSegmentedColormap.from_list("damage", ["#eaf3fa", "#a9cbe3", "#e8a15a", "#b3312c"])
@@ -79,7 +79,7 @@ def draw_fragments(runs, spacing):
     plt.close(figure)
 
 
-def draw_forces(given, unhardened, mass):
+def draw_forces(given, crushed, mass):
     """Against the rise of the submarine, which is its speed times time."""
     time, height = given["time [s]"], given["submarine.position_z [m]"]
     rise = height - height[0]
@@ -90,8 +90,8 @@ def draw_forces(given, unhardened, mass):
 
     figure, axis = plt.subplots(figsize=(10.5, 4.6), layout="constrained")
     for part, colour in ((".sail", BLUE), (".hull", RED)):
-        axis.plot(*curve(given, part), color=colour, lw=2, label=f"ice on the {part[1:]}, downward")
-        axis.plot(*curve(unhardened, part), color=colour, lw=1, alpha=0.6, label=f"{part[1:]}, ice without hardening")
+        axis.plot(*curve(given, part), color=colour, lw=1, alpha=0.6, label=f"{part[1:]}, ice that is not crushed")
+        axis.plot(*curve(crushed, part), color=colour, lw=2, label=f"ice on the {part[1:]}, downward")
     lift = GRAVITY * (given["submarine.displaced_mass [kg]"] - mass)
     axis.plot(rise, lift / 1e6, color=GREY, lw=1.5, ls="--", label="buoyancy − weight, upward")
     axis.axhline(0, color="0.8", lw=0.8)
@@ -115,12 +115,12 @@ def draw_equilibrium(free, mass):
 
 
 def main():
-    given, unhardened, free = (options(__doc__).parse_args().results / name for name in ("given", "unhardened", "free"))
+    given, crushed, free = (options(__doc__).parse_args().results / name for name in ("given", "crushed", "free"))
     (CASE / "figures").mkdir(exist_ok=True)
     report = report_of(free)
     mass = report["impactors"]["submarine"]["mass [kg]"]
-    draw_forces(history(given), history(unhardened), mass)
-    draw_fragments([(given, "hardening"), (unhardened, "without")], report_of(given)["setup"]["bodies"]["ice"]["spacing"])
+    draw_forces(history(given), history(crushed), mass)
+    draw_fragments([(given, "not crushed"), (crushed, "crushed")], report_of(given)["setup"]["bodies"]["ice"]["spacing"])
     draw_equilibrium(history(free), mass)
     draw_surfacing(free, report["setup"]["bodies"]["ice"]["spacing"])
 

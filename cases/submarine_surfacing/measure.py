@@ -1,5 +1,7 @@
 #!/usr/bin/env python3
-"""Prints the numbers of README.md from results folders of this case: cases/submarine_surfacing/measure.py FOLDER [more folders]
+"""Prints the numbers of README.md from results folders of this case: cases/submarine_surfacing/measure.py FOLDER [more folders] [--update]
+
+With --update they are written into results.csv too, by the name of the folder.
 
 sail, hull      largest downward force of the ice, mean over 0.1 s, and the rise of the submarine at that time; that on the hull as it meets the
                 sheet, and later
@@ -7,6 +9,7 @@ fragments       connected components of intact bonds at the end
 energy          largest energy balance error, also over the energy exchanged (docs/theory/energy.md); work of the submarine on the ice
 """
 
+import csv
 import sys
 from pathlib import Path
 
@@ -15,8 +18,10 @@ import numpy as np
 sys.path.insert(0, str(Path(__file__).resolve().parents[2] / "scripts/results"))
 from csv_reader import history  # noqa: E402
 from interval_means import window_means  # noqa: E402
-from results_folder import options, report_of, run  # noqa: E402
+from results_folder import options, records, report_of, run  # noqa: E402
 
+HERE = Path(__file__).resolve().parent
+TABLE = "results.csv"
 LAST = 0.3  # [s] at the end, over which the balance is averaged
 MEAN = 0.1  # [s] averaging time of forces: contacts of single particles are impulses
 MEETS = 4.0  # [m] rise until which the hull meets the sheet: its first peak is before
@@ -86,11 +91,27 @@ def equilibrium(columns, report):
     }
 
 
+def update(found):
+    """Replaces the rows of these runs in results.csv; `found`: name of the run → numbers of measure()."""
+    kept = [row for row in records(HERE, TABLE) if row["run"] not in found] if (HERE / TABLE).exists() else []
+    new = [{"run": name, "quantity": quantity, "value": f"{value:.6g}"} for name, numbers in found.items() for quantity, value in numbers.items() if quantity != "timers [s]"]
+    with open(HERE / TABLE, "w", newline="", encoding="utf-8") as lines:
+        writer = csv.DictWriter(lines, ("run", "quantity", "value"), lineterminator="\n")
+        writer.writeheader()
+        writer.writerows(sorted(kept + new, key=lambda row: row["run"]))
+
+
 def main():
-    for folder in options(__doc__, nargs="+").parse_args().results:
+    parser = options(__doc__, nargs="+")
+    parser.add_argument("--update", action="store_true", help="write results.csv")
+    given = parser.parse_args()
+    found = {folder.name: measure(folder) for folder in given.results}
+    for folder, numbers in found.items():
         print(folder)
-        for name, value in measure(folder).items():
+        for name, value in numbers.items():
             print(f"    {name:<42}{value:.6g}")
+    if given.update:
+        update(found)
 
 
 if __name__ == "__main__":

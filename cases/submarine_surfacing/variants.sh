@@ -5,6 +5,6 @@ set -euo pipefail
 source "$(dirname "$0")/../../scripts/variants.bash"
 
 variant given
-variant unhardened bodies.ice.failure.compression_hardening=0
-variant free "impactors.submarine.free_dofs=[z]" "impactors.submarine.velocity=[0, 0, 1]" time.end=10 time.step=0.135e-3 bodies.ice.spacing=0.4 \
+deck=$case/crushed.yaml variant crushed
+deck=$case/crushed.yaml variant free "impactors.submarine.free_dofs=[z]" "impactors.submarine.velocity=[0, 0, 1]" time.end=14 time.step=0.135e-3 bodies.ice.spacing=0.4 \
   bodies.ice.material.layers=3 output.frames=50

@@ -11,6 +11,11 @@ HALF = "time.step=2.5 us", "time.end=10.5 ms"  # 5.16 µs where absent; the firs
 SIDES = [f"bodies.ice.boundary_conditions.{side}={{fixed: {{particle_set: {side}, directions: [x, y]}}}}" for side in ("end", "left", "right")]
 COLUMNS = "time.end=13 ms", *SIDES, "bodies.ice.boundary_conditions.columns={fixed: {directions: [z]}}", "bodies.ice.boundary_conditions.water={body_force: {force_density: [0, 0, 1e-9]}}"
 
+WIDE_PUNCH = (  # 32 particles
+    "bodies.block.spacing=0.005", "bodies.block.shape.box.size=[0.96, 0.035, 0.48]",
+    "bodies.block.particle_sets.punch={shape: {box: {size: [0.16, 1, 0.005]}}, position: [0, 0, 0.2375]}", "output.frames=0",
+)  # fmt: skip
+
 
 def measure(runner):
     script = script_of(f"{CASE}/measure.py")
@@ -21,6 +26,8 @@ def measure(runner):
     numbers["impulse of a ball that breaks"] = script.measure(broken.parent)["ball impulse [-]"]
     columns = runner.run("ice_specimens", "columns/edge_narrow", f"{CASE}/edge_narrow.yaml", "output.frames=0", *COLUMNS)
     numbers["columns"] = script.measure(columns.parent)["edge_narrow [-]"]
+    wide = runner.run("ice_specimens", "wide/punch", f"{CASE}/punch.yaml", *WIDE_PUNCH)
+    numbers["punch, 32 particles"] = script.measure(wide.parent)["punch [-]"]
     numbers["splitting at half the step"] = script.measure(halved.parent)["splitting strength [MPa]"] / numbers["splitting strength"]
     return numbers
 
@@ -65,4 +72,5 @@ def rows():
     halved = Row("the disc at half the time step: strength over that at the full step", "no dependence on the step", "splitting at half the step", "exact", Within(1, 0.01), "the load of the last row before the first bond breaks: rows are 0.05 ms apart, 0.5 % of it")
     impulse = Row("a ball that also breaks (E s_c = 0.576 MPa): impulse of 10 ms over m v", "Sun, Lam and others, 149 tests: 0.8 to 1.12", "impulse of a ball that breaks", "", Between(0.8, 1.12), "the range of the tests")
     columns = Row("flat indenter, w/h = 2, without motion across the sheet, as of columnar ice: pressure over σ_c", "Michel and Blanchet (1983), 27 tests: 2.97", "columns", "", Within(2.97, 0.2, True), "scatter of crushing; the pressure still rises at a depth of 1.7 % of the width")
-    return [*expected_rows(table, "", units=units, claims={quantity: claim(quantity) for quantity in quantities}), columns, impulse, halved]
+    wide = Row("punch in plane strain, von Mises, over σ_c, at half the spacing, 32 particles wide", "Hill: (1 + π/2) 2/√3", "punch, 32 particles", "", Within(2.97, 0.1, True), "the horizon is a tenth of the width")
+    return [*expected_rows(table, "", units=units, claims={quantity: claim(quantity) for quantity in quantities}), wide, columns, impulse, halved]
