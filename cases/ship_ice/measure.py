@@ -71,7 +71,7 @@ def curve_of_bow(hull):
 
 def arc_of_stem(hull):
     """(distance [m] from the beginning of that curve to the stem, distance [m] from the stem to the end of its arc); 0, 0 of a sharp stem."""
-    radius = hull.get("stem_radius", 0)
+    radius = hull.get("stem_radius") or 0
     if radius == 0:
         return 0.0, 0.0
     length, half_breadth = curve_of_bow(hull)
@@ -90,7 +90,7 @@ def bow_length(hull):
 
 def breadth_of_waterline(hull, behind):
     """[m] that far behind the stem [m]; 0 ahead of it."""
-    behind, (ahead, arc), radius = np.asarray(behind, dtype=float), arc_of_stem(hull), hull.get("stem_radius", 0)
+    behind, (ahead, arc), radius = np.asarray(behind, dtype=float), arc_of_stem(hull), hull.get("stem_radius") or 0
     on_arc = np.sqrt(np.clip(behind * (2 * radius - behind), 0, None))
     return 2 * np.where(behind <= 0, 0, np.where(behind < arc, on_arc, curve_of_bow(hull)[1](behind + ahead)))
 

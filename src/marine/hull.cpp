@@ -70,8 +70,7 @@ class HullPanels {
   };
   static constexpr int samples = 20000;  // of a smooth curve: the counts are accurate to 1e-8
 
-  /// share_at(u): of the stretch; advance(k) [m]: along the ship from a sample to the
-  /// next; share_of_breadth(share); size(share, along) [m]: of edges.
+  /// share_at(u): of the stretch; advance(k) [m]: along the ship from a sample to the next; share_of_breadth(share); size(share, along) [m]: of edges.
   template <class ShareAt, class Advance, class Widening, class Size>
   Spread spread(const ShareAt& share_at, const Advance& advance, const Widening& share_of_breadth, const Size& size) const {
     const double height = shape_.freeboard + shape_.draft;

@@ -18,7 +18,7 @@ struct HullSurface {
   double stem_angle{}, waterline_angle{};         ///< [rad]
   double fullness = 2;                            ///< exponent of the bow's waterlines
   std::optional<double> bilge_radius, freeboard;  ///< [m]
-  double stem_radius = 0;                         ///< [m]
+  std::optional<double> stem_radius;              ///< [m]
   std::optional<double> stern_angle;              ///< [rad]
   std::optional<double> stern_waterline_angle;    ///< [rad]
   double flare = 0;                               ///< [rad]

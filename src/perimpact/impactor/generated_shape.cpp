@@ -13,7 +13,7 @@ fccda::HullShape shape_of(const HullSurface& s) {
                          .waterline_angle = s.waterline_angle,
                          .fullness = s.fullness,
                          .bilge_radius = s.bilge_radius.value_or(s.draft / 3),
-                         .stem_radius = s.stem_radius,
+                         .stem_radius = s.stem_radius.value_or(0),
                          .flare = s.flare,
                          .edge_length = s.edge_length,
                          .bow_edge_length = s.bow_edge_length.value_or(s.edge_length)};
