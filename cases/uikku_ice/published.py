@@ -6,7 +6,7 @@ angle of entrance, main dimensions and friction alone: least squares of the rela
 """
 
 from dataclasses import replace
-from math import cos, radians, sin, sqrt, tan
+from math import sqrt
 
 import numpy as np
 from decks import HERE, ship_in, tests  # which makes ../ship_ice importable
@@ -47,23 +47,19 @@ def shares():
     return found, scatter * np.sqrt(np.diag(np.linalg.inv(relative.T @ relative))), scatter
 
 
-def crushing_coefficient(ship, friction):
-    """(tan φ + µ cos φ/cos ψ)/(1 − µ sin φ/cos ψ) of Lindqvist's crushing term over ½ σ_f H²."""
-    phi = radians(ship.stem)
-    cos_psi = 1 / sqrt(1 + (tan(phi) / sin(radians(ship.waterline))) ** 2)
-    return (tan(phi) + friction * cos(phi) / cos_psi) / (1 - friction * sin(phi) / cos_psi)
-
-
 def implied_friction():
     """The friction whose crushing term the published predictions contain, and its standard error, at the angles of the decks."""
     ship = ship_in(tests()[302])
     found, errors, _ = shares()
 
+    def crushing(friction):
+        return lindqvist(replace(ship, friction=friction))["crushing"]
+
     def friction_of(share):
-        wanted, low, high = share * crushing_coefficient(ship, ship.friction), 0.0, 0.5
+        wanted, low, high = share * crushing(ship.friction), 0.0, 0.5
         while high - low > 1e-9:
             middle = (low + high) / 2
-            low, high = (middle, high) if crushing_coefficient(ship, middle) < wanted else (low, middle)
+            low, high = (middle, high) if crushing(middle) < wanted else (low, middle)
         return low
 
     return friction_of(found[0]), (friction_of(found[0] + errors[0]) - friction_of(found[0] - errors[0])) / 2
