@@ -49,6 +49,11 @@ class ShipInIce:
         return (self.young * self.thickness**3 / (12 * (1 - self.poisson**2) * self.water * GRAVITY)) ** 0.25
 
 
+def lindqvist_speed_factors(ship):
+    """1 + 1.4 V/√(g H), of crushing and bending, and 1 + 9.4 V/√(g L), of submersion."""
+    return 1 + 1.4 * ship.speed / sqrt(GRAVITY * ship.thickness), 1 + 9.4 * ship.speed / sqrt(GRAVITY * ship.length)
+
+
 def lindqvist(ship):
     """R = (R_c + R_b)(1 + 1.4 V/√(g H)) + R_s (1 + 9.4 V/√(g L)) [N], with its parts."""
     phi, alpha, mu, H, B, T = radians(ship.stem), radians(ship.waterline), ship.friction, ship.thickness, ship.beam, ship.draft
@@ -61,7 +66,7 @@ def lindqvist(ship):
     bow = T * cos(phi) * cos(psi) * sqrt(1 / sin(phi) ** 2 + 1 / tan(alpha) ** 2)
     buoyancy = (ship.water - ship.ice) * GRAVITY * H * B
     lifting, rubbing = buoyancy * T * (B + T) / (B + 2 * T), buoyancy * mu * (under + bow)
-    fast, slow = 1 + 1.4 * ship.speed / sqrt(GRAVITY * H), 1 + 9.4 * ship.speed / sqrt(GRAVITY * ship.length)
+    fast, slow = lindqvist_speed_factors(ship)
     submersion = lifting + rubbing
     total = (crushing + bending) * fast + submersion * slow
     return {"crushing": crushing, "bending": bending, "submersion": submersion, "of it, potential energy": lifting, "total": total}

@@ -5,13 +5,14 @@ published.csv has their predictions for ten tests by the formulas of Lindqvist a
 angle of entrance, main dimensions and friction alone: least squares of the relative differences give them with their standard errors. No measured resistance is used.
 """
 
+import argparse
 from dataclasses import replace
 from math import sqrt
 
 import numpy as np
 from decks import HERE, ship_in, tests  # which makes ../ship_ice importable
 from measure import records
-from resistance import lindqvist, riska
+from resistance import lindqvist, lindqvist_speed_factors, riska
 
 PUBLISHED = "published.csv"
 TERMS = "crushing", "bending", "submersion"
@@ -32,7 +33,7 @@ def parts_of_lindqvist():
     parts, published = [], []
     for ship, row in ships():
         found = lindqvist(ship)
-        fast, slow = 1 + 1.4 * ship.speed / sqrt(9.81 * ship.thickness), 1 + 9.4 * ship.speed / sqrt(9.81 * ship.length)
+        fast, slow = lindqvist_speed_factors(ship)
         parts.append([found["crushing"] * fast, found["bending"] * fast, found["submersion"] * slow])
         published.append(1e3 * float(row["Lindqvist [kN]"]))
     return np.array(parts), np.array(published)
@@ -66,6 +67,7 @@ def implied_friction():
 
 
 def main():
+    argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter).parse_args()
     found, errors, scatter = shares()
     print("| term of Lindqvist's formula | share of it in the published predictions |")
     print("|---|---|")
