@@ -29,7 +29,9 @@ INERTIAL_SPEED = 1.0
 UNSCALED = (302,)
 
 # power, diameter of the propeller and speed in open water: README.md
-PROPULSION = {"bollard_pull": bollard_pull(11.4e6, 5.6), "open_water_speed": 8.75, "speed": 3.8}
+PROPULSION = {"bollard_pull": bollard_pull(11.4e6, 5.6), "open_water_speed": 8.75}
+# of the driven ship, in the ice of test 302 and in the same ice of other thicknesses [m]: the speed at which it starts [m/s], near that which it holds
+FREE = {"free.yaml": (1.04, 3.8), "free_0.7m.yaml": (0.7, 5.5), "free_1.4m.yaml": (1.4, 2.4)}
 
 
 def tests():
@@ -50,16 +52,26 @@ def ship_in(test):
     )  # fmt: skip
 
 
-def deck(number, test, is_free=False):
-    """The deck of a test; of a ship that is free in surge and heave and driven by its net thrust, where `is_free`."""
-    run = ship_in(test)
-    if is_free:
-        run = replace(run, **PROPULSION)
-    heading = f"""# yaml-language-server: $schema=../../docs/guide/deck.schema.json
-# MT Uikku in level ice, model test {number} of Hu and Zhou (2016) at full scale. Written by decks.py: why each number is what it is, and what was
+def heading(number, also=""):
+    return f"""# yaml-language-server: $schema=../../docs/guide/deck.schema.json
+# MT Uikku in level ice, model test {number} of Hu and Zhou (2016) at full scale{also}. Written by decks.py: why each number is what it is, and what was
 # measured, is in README.md of this folder."""
-    title = f"MT Uikku{', free' if is_free else ''}, test {number}, {run.thickness:g} m of ice{', starting' if is_free else ''} at {run.speed:g} m/s"
-    return deck_of(run, title, heading, f"results/uikku_ice_{'free' if is_free else number}")
+
+
+def deck(number, test):
+    """The deck of a test."""
+    run = ship_in(test)
+    return deck_of(run, f"MT Uikku, test {number}, {run.thickness:g} m of ice at {run.speed:g} m/s", heading(number), f"results/uikku_ice_{number}")
+
+
+def free_deck(name):
+    """The deck of a ship that is free in surge and heave and driven by its net thrust."""
+    test = tests()[302]
+    thickness, speed = FREE[name]
+    run = replace(ship_in(test), **PROPULSION, thickness=thickness, speed=speed)
+    title = f"MT Uikku, free, test 302, {thickness:g} m of ice, starting at {speed:g} m/s"
+    also = "" if thickness == test["thickness"] else f", in ice of {thickness:g} m"
+    return deck_of(run, title, heading(302, also), f"results/uikku_ice_{name.removesuffix('.yaml')}")
 
 
 def main():
@@ -69,7 +81,8 @@ def main():
     folder.mkdir(parents=True, exist_ok=True)
     for number, test in tests().items():
         (folder / name_of(number)).write_text(deck(number, test), encoding="utf-8")
-    (folder / "free.yaml").write_text(deck(302, tests()[302], is_free=True), encoding="utf-8")
+    for name in FREE:
+        (folder / name).write_text(free_deck(name), encoding="utf-8")
 
 
 if __name__ == "__main__":

@@ -12,7 +12,7 @@ ROOT = Path(__file__).resolve().parents[3]
 CASE = ROOT / "cases/uikku_ice"
 sys.path[:0] = [str(ROOT / "tests/cli"), str(CASE)]
 from claims import claim, main  # noqa: E402
-from decks import deck, name_of, ship_in, tests  # noqa: E402
+from decks import FREE, deck, free_deck, name_of, ship_in, tests  # noqa: E402
 from direction import hull, loads_of, sheet, strip  # noqa: E402
 from level_ice import deflection_at_breaking  # noqa: E402
 from resistance import ShipInIce, lindqvist  # noqa: E402
@@ -25,7 +25,8 @@ def written(t):
         text = (CASE / name_of(number)).read_text(encoding="utf-8")
         t.assertEqual(text, deck(number, test), number)
         t.assertIn(f"time: {{end: {ship_in(test).ends:.5g} s,", text)  # of the sample that compare.py measures
-    t.assertEqual((CASE / "free.yaml").read_text(encoding="utf-8"), deck(302, tests()[302], is_free=True))
+    for name in FREE:
+        t.assertEqual((CASE / name).read_text(encoding="utf-8"), free_deck(name), name)
 
 
 @claim("uikku_ice: no deck of the case is warned of, and each has the strengths that were measured")
@@ -68,10 +69,12 @@ def published(t):
         script.ships = original
 
 
-@claim("uikku_ice: the ship that is free floats at its draft, and no warning is given for it")
+@claim("uikku_ice: the ship that is free floats at its draft, and no warning is given for it in ice of any thickness")
 def free(t):
-    said = t.expect_no_warning("check", CASE / "free.yaml", "--out", "checked")
-    t.assertAlmostEqual(float(re.search(r"in this attitude it floats at a draft of (\S+) m", said.out)[1]), 9.5, delta=0.01)
+    for name, (thickness, _) in FREE.items():
+        said = t.expect_no_warning("check", CASE / name, "--out", "checked")
+        t.assertAlmostEqual(float(re.search(r"in this attitude it floats at a draft of (\S+) m", said.out)[1]), 9.5, delta=0.01)
+        t.assertIn(f"{thickness:g} m of ice, starting at", said.out)
 
 
 @claim("uikku_ice: strips and sheets in any direction of the lattice have the ice of test 302, a hull in front of it, and a stable step")
