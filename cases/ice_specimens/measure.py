@@ -40,12 +40,21 @@ DROP_RADIUS, DROP_CENTRE = 0.2, (0.0017, 0.0009)  # [m]
 DROP_AREA, DROP_TIMES = 15e-4, (0.0015, 0.003)  # [m²] [s]: the contact area is 50 cm² at first, and the force still rises at the end
 BALL = 1.0, 900.0, 20.0  # [m] [kg/m³] [m/s]
 
+
+def width_of_sphere(depth, diameter=0.24, thickness=0.06):
+    """[m] mean width, over the thickness, of the section of a sphere at mid-height with the first edge of the sheet."""
+    radius = math.sqrt(diameter * depth - depth**2)
+    angle = math.asin(min(1.0, thickness / 2 / radius))  # of the faces of the sheet, seen from the centre of that section
+    return 2 * radius**2 * (angle + math.sin(angle) * math.cos(angle)) / thickness
+
+
 # of the indenters of a sheet's edge: thickness of the sheet [m], speed [m/s], width [m] at a depth [m]
 EDGES = {
     "edge_narrow": (0.06, 0.16, lambda depth: 0.12),
     "edge_wide": (0.04, 0.16, lambda depth: 0.32),
     "edge_wedge": (0.06, 0.5, lambda depth: 2 * depth * math.sqrt(3)),
     "edge_cylinder": (0.06, 0.2, lambda depth: 2 * math.sqrt(0.24 * depth - depth**2)),
+    "edge_sphere": (0.06, 0.2, width_of_sphere),
 }
 
 

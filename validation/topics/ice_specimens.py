@@ -6,7 +6,7 @@ from runner import ROOT, script_of
 TITLE = "Specimens of ice that yields"
 LONG = False
 CASE = "cases/ice_specimens"
-DECKS = ("compression", "crushed", "tension", "brazilian", "bending", "punch", "indentation", "edge_narrow", "edge_wide", "edge_wedge", "edge_cylinder", "ball", "drop")
+DECKS = ("compression", "crushed", "tension", "brazilian", "bending", "punch", "indentation", "edge_narrow", "edge_wide", "edge_wedge", "edge_cylinder", "edge_sphere", "ball", "drop")
 HALF = "time.step=2.5 us", "time.end=10.5 ms"  # 5.16 µs where absent; the first bonds break at 9.6 ms
 SIDES = [f"bodies.ice.boundary_conditions.{side}={{fixed: {{particle_set: {side}, directions: [x, y]}}}}" for side in ("end", "left", "right")]
 COLUMNS = "time.end=13 ms", *SIDES, "bodies.ice.boundary_conditions.columns={fixed: {directions: [z]}}", "bodies.ice.boundary_conditions.water={body_force: {force_density: [0, 0, 1e-9]}}"
@@ -55,6 +55,7 @@ CLAIMS = {
     "edge_wide over ISO": "flat indenter, w/h = 8: pressure over the design pressure of ISO 19906",
     "edge_wedge over ISO": "wedge of 120° in the edge: pressure over the design pressure of ISO 19906",
     "edge_cylinder over ISO": "cylinder in the edge: pressure over the design pressure of ISO 19906",
+    "edge_sphere over ISO": "sphere in the edge: pressure over the design pressure of ISO 19906",
     "drop centre pressure": "rigid sphere dropped on iceberg ice, Kierkegaard's surface: pressure over 15 cm² at its lowest point [MPa]",
     "ball force over plastic sphere": "ball of ice on a plate: largest force over v √(2πR p m), p the mean pressure",
     "ball time over plastic sphere": "ball of ice on a plate: time until it stops over π/2 √(m/(2πR p))",

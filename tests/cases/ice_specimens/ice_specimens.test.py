@@ -9,7 +9,7 @@ ROOT = Path(__file__).resolve().parents[3]
 CASE = ROOT / "cases/ice_specimens"
 sys.path[:0] = [str(ROOT / "tests/cli"), str(ROOT / "scripts/results"), str(CASE)]
 from claims import claim, main  # noqa: E402
-from measure import EDGES, measure  # noqa: E402
+from measure import EDGES, measure, width_of_sphere  # noqa: E402
 from vtp_reader import pictures  # noqa: E402
 
 SPLITTING = 0.502  # [MPa] as expected.csv has it
@@ -123,7 +123,7 @@ def ball(scene):
     scene.assertLess(found["ball energy error [-]"], 1e-4)
 
 
-@claim("ice_specimens: every indenter and impactor is predicted to touch the ice before the end, and a narrow indenter pushes it at once")
+@claim("ice_specimens: every indenter and impactor is predicted to make contact with the ice before the end, and a narrow indenter pushes it at once")
 def indenters(scene):
     for name in ("drop", "indentation", *EDGES):
         done = scene.expect_success("check", CASE / f"{name}.yaml")
@@ -132,6 +132,14 @@ def indenters(scene):
     found = measure(scene.folder / "specimens")
     scene.assertGreater(found["edge_narrow [-]"], 0.1)
     scene.assertLess(found["edge_narrow energy error [-]"], 1e-3)
+
+
+@claim("ice_specimens: the width of a sphere in an edge is the mean width of its section over the thickness")
+def sphere_in_an_edge(scene):
+    for depth in (0.001, 0.0038, 0.007):  # below and above the thickness of 0.06
+        heights = [0.06 * (number + 0.5) / 20000 - 0.03 for number in range(20000)]
+        chords = [2 * max(0.0, 0.12**2 - (0.12 - depth) ** 2 - height**2) ** 0.5 for height in heights]
+        scene.assertAlmostEqual(width_of_sphere(depth) * len(chords) / sum(chords), 1, delta=1e-6)  # midpoint rule
 
 
 @claim("ice_specimens: check says to the deck of the calibration page what the page quotes")
