@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""Times a run with rubble: copies of its folder are resumed and stopped again; writes results/rubble_<machine>.csv and prints it as a table.
+"""Times a run with rubble: copies of its folder are resumed and stopped again; writes results/<name>_<machine>.csv and prints it as a table.
 
     benchmarks/ice/rubble.py DECK FOLDER --before PROGRAM       FOLDER: results of the deck, of a run that was stopped among rubble
 
@@ -31,7 +31,7 @@ def resumed(program, given):
         folder = Path(parent) / "run"
         shutil.copytree(given.folder, folder, ignore=shutil.ignore_patterns("run.lock"))
         process = subprocess.Popen(
-            [program, "run", given.deck, "--out", folder, "--resume", "--threads", str(given.threads), "--no-report"],
+            [program, "run", given.deck, "--out", folder, "--resume", "--threads", str(given.threads), "--no-report", *(word for value in given.set for word in ("--set", value))],
             stdout=subprocess.PIPE, text=True,
         )  # fmt: skip
         time.sleep(given.seconds)
@@ -55,6 +55,8 @@ def main():
     arguments.add_argument("--seconds", type=float, default=30)
     arguments.add_argument("--rounds", type=int, default=3)
     arguments.add_argument("--threads", type=int, default=2)
+    arguments.add_argument("--results", default="rubble", help="name of the file of results")
+    arguments.add_argument("--set", action="append", default=[], metavar="KEY=VALUE", help="of the run, as perimpact run has it")
     given = arguments.parse_args()
     rows = []
     for number in range(1, given.rounds + 1):
@@ -69,7 +71,7 @@ def main():
             cells |= {f"{timer} [ms]": f"{1e3 * report['timers [s]'].get(timer, 0) / steps:.2f}" for timer in TIMERS}
             cells["time over before"] = f"{each[name] / each['before']:.3f}" if name == "perimpact" else ""
             rows.append(cells)
-    write_results("rubble", rows)
+    write_results(given.results, rows)
 
 
 if __name__ == "__main__":

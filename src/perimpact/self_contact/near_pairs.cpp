@@ -2,9 +2,10 @@
 
 #include <algorithm>
 #include <array>
+#include <atomic>
+#include <iterator>
 #include <utility>
 
-#include "base/freed_memory.hpp"
 #include "base/parallel_throwing.hpp"
 
 namespace perimpact {
@@ -48,7 +49,6 @@ NearPairs::NearPairs(const ShortRangeLaw& law, std::span<const ContactingBody> b
   longest_ = weight_reach * law.distance_ratio * extremes[0];
   skin_ = skin_ratio * finest;
   for (std::size_t b = 0; b < bodies.size(); ++b) bonded_within_.push_back((1 - 1e-9) * bodies[b].family.reach(-extremes[1 + b]));
-  first_pair_.assign(1, 0);
   list_particles(bodies);
 }
 
@@ -212,7 +212,6 @@ void NearPairs::refresh_foreign(std::span<const ContactingBody> bodies) {
 
 void NearPairs::make(std::span<const ContactingBody> bodies) {
   ++times_made_;
-  is_known_ = true;
   if (std::ranges::any_of(bodies, [](const ContactingBody& body) { return !body.particles.crushed.empty(); })) list_particles(bodies);
   find_foreign(bodies);
   list_runs();
@@ -228,72 +227,86 @@ void NearPairs::make(std::span<const ContactingBody> bodies) {
   });
   mark_cells();
 
-  struct Part {
-    std::vector<Found> found;
-    std::array<std::uint32_t, block> counts{};
-  };
-  std::vector<Part> parts((particles_.size() + block - 1) / block);
-  fccda::parallel_for_blocks_throwing(particles_.size(), block, [&](std::size_t first, std::size_t last) {
-    Part& part = parts[first / block];
-    std::vector<Found> found;
-    for (std::size_t p = first; p < last; ++p) {
-      if (particles_[p].is_foreign) continue;
-      if (!(cell_marks_[cells_.cell_of(p)] & is_near)) continue;
-      find_of(p, bodies, found);
-      part.counts[p - first] = static_cast<std::uint32_t>(found.size());
-      part.found.insert(part.found.end(), found.begin(), found.end());
+  // There is mostly room where the pairs of the latest list were. If not, they are counted, and found again when there is.
+  if ((pair_count_ = find_pairs(bodies)) > std::min(others_.size(), bonds_.size())) {
+    make_room(others_, pair_count_), make_room(bonds_, pair_count_);
+    others_.resize(others_.capacity()), bonds_.resize(bonds_.capacity());
+    find_pairs(bodies);
+  }
+  list_members();
+  fccda::parallel_for(static_cast<std::ptrdiff_t>(members_.size()), [&](std::ptrdiff_t member) {
+    const auto m = static_cast<std::size_t>(member);
+    const std::size_t first = first_pair_[m], last = first + pair_counts_[m];
+    std::size_t unbonded = 0;
+    for (std::size_t pair = first; pair < last; ++pair) {
+      others_[pair] = static_cast<std::int32_t>(member_of_[static_cast<std::size_t>(others_[pair])]);
+      unbonded += bonds_[pair] == no_bond;
     }
+    unbonded_counts_[m] = static_cast<std::uint32_t>(unbonded);
   });
+  is_known_ = true;
+}
 
+/// Writes the pairs of all particles, if there is room, with particles in place of members, and returns the room they need. Blocks of particles lie in the
+/// order in which threads complete them, on which no result depends.
+std::size_t NearPairs::find_pairs(std::span<const ContactingBody> bodies) {
+  counts_.assign(particles_.size(), 0);
+  first_of_block_.assign((particles_.size() + block - 1) / block, 0);
+  const std::size_t room = std::min(others_.size(), bonds_.size());
+  std::atomic<std::size_t> end = 0;
+  fccda::parallel_for_blocks_throwing(particles_.size(), block, [&](std::size_t first, std::size_t last) {
+    thread_local std::vector<Found> found, of_block;  // kept from list to list: to return and obtain their memory takes longer than to find the pairs
+    of_block.clear();
+    for (std::size_t p = first; p < last; ++p) {
+      if (particles_[p].is_foreign || !(cell_marks_[cells_.cell_of(p)] & is_near)) continue;
+      find_of(p, bodies, found);
+      counts_[p] = static_cast<std::uint32_t>(found.size());
+      for (const bool bonded : {false, true})
+        std::ranges::copy_if(found, std::back_inserter(of_block), [&](const Found& pair) { return (pair.bond != no_bond) == bonded; });
+      of_block.resize(fccda::in_eights(of_block.size()), Found{0, no_bond});  // padding, read but not used
+    }
+    const std::size_t at = end.fetch_add(of_block.size());
+    first_of_block_[first / block] = at;
+    if (at + of_block.size() > room) return;
+    for (std::size_t n = 0; n < of_block.size(); ++n) others_[at + n] = static_cast<std::int32_t>(of_block[n].particle), bonds_[at + n] = of_block[n].bond;
+  });
+  return end;
+}
+
+/// Those particles that have pairs, and foreign ones in pairs of others.
+void NearPairs::list_members() {
   members_.clear();
-  first_pair_.assign(1, 0);
+  first_pair_.clear();
   pair_counts_.clear();
   broken_eights_.clear();
   exposed_.clear();
+  // calls visit(particle, its first pair) for all
+  const auto for_each_particle = [&](const auto& visit) {
+    std::size_t pair = 0;
+    for (std::size_t p = 0; p < particles_.size(); ++p) {
+      if (p % block == 0) pair = first_of_block_[p / block];
+      visit(p, pair);
+      pair += fccda::in_eights(counts_[p]);
+    }
+  };
   std::vector<std::uint8_t> is_used(foreign_.all().size(), 0);
   if (!is_used.empty())
-    for (const Part& part : parts)
-      for (const Found& found : part.found)
-        if (particles_[found.particle].is_foreign) is_used[particles_[found.particle].slot] = 1;
+    for_each_particle([&](std::size_t p, std::size_t pair) {
+      for (const std::int32_t other : std::span(others_).subspan(pair, counts_[p]))
+        if (const Member& particle = particles_[static_cast<std::size_t>(other)]; particle.is_foreign) is_used[particle.slot] = 1;
+    });
   if (ranks().size() > 1) foreign_.keep(ranks(), is_used);
   member_of_.assign(particles_.size(), none);
-  std::vector<std::size_t> first_of_part;
-  for (std::size_t p = 0; p < particles_.size(); ++p) {
-    if (p % block == 0) first_of_part.push_back(members_.size());
+  for_each_particle([&](std::size_t p, std::size_t pair) {
     const Member& particle = particles_[p];
-    const std::uint32_t count = parts[p / block].counts[p % block];
-    if (particle.is_foreign ? !is_used[particle.slot] : count == 0) continue;
+    if (particle.is_foreign ? !is_used[particle.slot] : counts_[p] == 0) return;
     member_of_[p] = static_cast<std::uint32_t>(members_.size());
     members_.push_back(particle);
-    pair_counts_.push_back(count);
+    first_pair_.push_back(pair);
+    pair_counts_.push_back(counts_[p]);
     exposed_.push_back(is_exposed(particle));
-    first_pair_.push_back(first_pair_.back() + fccda::in_eights(count));
-  }
-  resize_to(others_, first_pair_.back());
-  resize_to(bonds_, first_pair_.back());
-  unbonded_counts_.assign(members_.size(), 0);
-  fccda::parallel_for(static_cast<std::ptrdiff_t>(parts.size()), [&](std::ptrdiff_t part) {
-    const std::vector<Found>& found = parts[static_cast<std::size_t>(part)].found;
-    std::size_t next = 0;
-    for (std::size_t m = first_of_part[static_cast<std::size_t>(part)]; next < found.size(); ++m) {
-      std::size_t pair = first_pair_[m];
-      const std::size_t last = next + pair_counts_[m];
-      const auto add = [&](bool bonded) {
-        for (std::size_t n = next; n < last; ++n) {
-          if ((found[n].bond != no_bond) != bonded) continue;
-          others_[pair] = static_cast<std::int32_t>(member_of_[found[n].particle]);
-          bonds_[pair++] = found[n].bond;
-        }
-      };
-      add(false);
-      unbonded_counts_[m] = static_cast<std::uint32_t>(pair - first_pair_[m]);
-      add(true);
-      next = last;
-      for (; pair < first_pair_[m + 1]; ++pair) others_[pair] = 0, bonds_[pair] = no_bond;  // padding, read but not used
-    }
   });
-  parts = std::vector<Part>();
-  fccda::return_freed_memory();  // before other arrays of pairs are made
+  unbonded_counts_.assign(members_.size(), 0);
 }
 
 void NearPairs::mark_cells() {

@@ -29,14 +29,19 @@
 
 namespace perimpact {
 
-/// Resizes without keeping the values. If the capacity is too small, the old array is freed first: arrays of pairs are the largest of a run with
-/// rubble, and old and new ones together would determine its peak memory. An eighth more is reserved for the next list.
+/// Makes room without keeping the values: if the capacity is too small, the old array is freed first. Arrays of pairs are the largest of a run with rubble, and
+/// old and new ones together would determine its peak memory. An eighth more is reserved for the next list.
+template <class T, class Allocator>
+void make_room(std::vector<T, Allocator>& values, std::size_t count) {
+  if (values.capacity() >= count) return;
+  values = std::vector<T, Allocator>();
+  values.reserve(count + count / 8);
+}
+
+/// The same, and resizes.
 template <class T, class Allocator>
 void resize_to(std::vector<T, Allocator>& values, std::size_t count) {
-  if (values.capacity() < count) {
-    values = std::vector<T, Allocator>();
-    values.reserve(count + count / 8);
-  }
+  make_room(values, count);
   values.resize(count);
 }
 
@@ -88,13 +93,13 @@ class NearPairs {
   std::span<const Member> members() const { return members_; }  ///< by body and slot
   Pairs pairs_of(std::size_t member) const { return {unbonded_counts_[member], others_.data() + first_pair_[member]}; }
   std::size_t first_pair(std::size_t member) const { return first_pair_[member]; }  ///< index of its first pair among all pairs, a multiple of eight
-  std::size_t pair_count() const { return first_pair_.back(); }                     ///< including the padding after each member's pairs
+  std::size_t pair_count() const { return pair_count_; }                            ///< including the padding after each member's pairs
   PairsView view() { return {first_pair_.data(), pair_counts_.data(), unbonded_counts_.data(), exposed_.data(), others_.data(), bonds_.data()}; }
   /// Calls visit(span) for the arrays of view(). They are renewed by make().
   template <class Visit>
   void visit_arrays(const Visit& visit) {
     visit(std::span(first_pair_)), visit(std::span(pair_counts_)), visit(std::span(unbonded_counts_)), visit(std::span(exposed_));
-    visit(std::span(others_)), visit(std::span(bonds_));
+    visit(std::span(others_).first(pair_count_)), visit(std::span(bonds_).first(pair_count_));
   }
   std::span<std::uint8_t> exposed() { return exposed_; }                           ///< of each member
   std::size_t times_exposed() const { return times_exposed_; }                     ///< changes of exposed() since construction
@@ -127,6 +132,8 @@ class NearPairs {
   }
   std::size_t body_of(std::uint64_t id) const;
   double reach_of(const Member& i, const Member& j) const { return weight_reach * (law_.distance_ratio * (0.5 * (i.size + j.size))); }
+  std::size_t find_pairs(std::span<const ContactingBody> bodies);
+  void list_members();
   void find_of(std::size_t particle, std::span<const ContactingBody> bodies, std::vector<Found>& found) const;
   void name_bonds(std::size_t particle, std::span<const ContactingBody> bodies, std::span<Found> found) const;
 
@@ -155,8 +162,12 @@ class NearPairs {
   std::vector<std::uint32_t> cell_bodies_;  // body of all particles of a cell; none if it has several, or no particles
   VectorArray references_by_cell_;          // [m] X, in the order of cells_.points_by_cell()
 
+  std::vector<std::uint32_t> counts_;        // of all particles: their pairs
+  std::vector<std::size_t> first_of_block_;  // of each block of particles: its first pair
+
   std::vector<Member> members_;
-  std::vector<std::size_t> first_pair_;
+  std::vector<std::size_t> first_pair_;                       // of each member
+  std::size_t pair_count_ = 0;                                // others_ and bonds_ have room for more
   std::vector<std::uint32_t> pair_counts_, unbonded_counts_;  // of each member; pairs without an intact bond come first
   std::vector<std::vector<std::uint32_t>> broken_eights_;     // of each body, whose bonds broke in the latest step; empty after make()
   std::vector<std::uint8_t> exposed_;                         // of each member

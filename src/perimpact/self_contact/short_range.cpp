@@ -1,6 +1,7 @@
 #include "perimpact/self_contact/short_range.hpp"
 
 #include <algorithm>
+#include <atomic>
 #include <cmath>
 #include <utility>
 
@@ -108,9 +109,8 @@ void ShortRange::add_forces(std::span<const ContactingBody> bodies, double dt) {
   else
     evaluate<NativePack>(bodies, dt);
   // members that are not in contact add zeros, so that the sums do not depend on the list; foreign ones do too
-  const auto members = near_pairs_.members();
-  const auto eight_of = [&](std::size_t m) { return members[m].id / byte_lanes; };
-  enter(exact_sum_over_eights(near_pairs_.ranks(), members.size(), eight_of, [&](std::size_t m) { return pair_sums_[m]; }));
+  const auto eight_of = [&](std::size_t m) { return eight_[m]; };
+  enter(exact_sum_over_eights(near_pairs_.ranks(), eight_.size(), eight_of, [&](std::size_t m) { return may_be_loaded_[m] ? pair_sums_[m] : PairSum{}; }));
 }
 
 void ShortRange::insert_broken_pairs(std::span<const ContactingBody> bodies) {
@@ -166,14 +166,15 @@ template <class Pack>
 void ShortRange::evaluate(std::span<const ContactingBody> bodies, double dt) {
   const ShortRangeView view = this->view(dt);
   const auto members = near_pairs_.members();
+  const bool has_foreign = near_pairs_.ranks().size() > 1;
   fccda::parallel_for(static_cast<std::ptrdiff_t>(members.size()), [&](std::ptrdiff_t member) {
     const auto m = static_cast<std::size_t>(member);
-    if (members[m].is_foreign) {
+    if (has_foreign && members[m].is_foreign) {
       const NearPairs::ForeignState& state = near_pairs_.foreign_state(members[m]);
       places_[m].position = state.position, motions_[m].velocity = state.velocity;
     } else {
-      const Particles& particles = bodies[members[m].body].particles;
-      places_[m].position = particles.position.at(members[m].slot), motions_[m].velocity = particles.velocity.at(members[m].slot);
+      const Particles& particles = bodies[body_[m]].particles;
+      places_[m].position = particles.position.at(slot_[m]), motions_[m].velocity = particles.velocity.at(slot_[m]);
     }
   });
   // Of very uneven cost, since most members have no pair without a bond, and foreign ones have none at all. What a member reads lies apart from that of the
@@ -188,7 +189,16 @@ void ShortRange::evaluate(std::span<const ContactingBody> bodies, double dt) {
     });
   };
   const auto prefetch_others = [&](std::size_t m) { prefetch_lines(view.pairs.others + view.pairs.first_pair[m], view.pairs.unbonded_counts[m]); };
-  for_each_member(prefetch_others, [&](std::size_t m) { evaluate_density<Pack>(view, m); });
+  // Few members are under pressure, which is never negative, or near one that is: near pairs are those of both members. Foreign members have no pairs here, so
+  // that all are evaluated.
+  std::ranges::fill(may_be_loaded_, static_cast<std::uint8_t>(has_foreign));
+  for_each_member(prefetch_others, [&](std::size_t m) {
+    evaluate_density<Pack>(view, m);
+    if (has_foreign || (pressure_[0][m] == 0 && pressure_[1][m] == 0)) return;
+    const auto mark = [&](std::size_t member) { std::atomic_ref(may_be_loaded_[member]).store(1, std::memory_order_relaxed); };
+    mark(m);
+    for (std::size_t n = 0; n < near_count_[m]; ++n) mark(static_cast<std::size_t>(near_[first_near_[m] + n]));
+  });
   near_pairs_.refresh_members<std::array<double, 2>>(
       [&](std::size_t m) {
         return std::array{pressure_[0][m], pressure_[1][m]};
@@ -202,12 +212,14 @@ void ShortRange::evaluate(std::span<const ContactingBody> bodies, double dt) {
   };
   for_each_member(prefetch_slips, [&](std::size_t m) {
     if (view.pairs.unbonded_counts[m] == 0) return;  // its sum is zero since the list was built
+    if (may_slip_[m]) may_be_loaded_[m] = 1;
+    if (!may_be_loaded_[m]) return;
     PairSum sum;
     const Vec3d force = add_pairs_of<Pack>(view, m, sum);
     pair_sums_[m] = sum;
     if (sum.contacts == 0) return;
-    VectorArray& density = bodies[members[m].body].particles.force_density;
-    density.set(members[m].slot, density.at(members[m].slot) + force / members[m].volume);
+    VectorArray& density = bodies[body_[m]].particles.force_density;
+    density.set(slot_[m], density.at(slot_[m]) + force / motions_[m].volume);
   });
 }
 
@@ -239,14 +251,18 @@ void ShortRange::restore_state() {
 
 void ShortRange::keep_pairs() {
   const auto members = near_pairs_.members();
+  const auto is_stored = [&](std::size_t m, std::size_t n) { return members[static_cast<std::size_t>(near_pairs_.pairs_of(m).others[n])].id >= members[m].id; };
+  std::size_t stored = 0;
+  for (std::size_t m = 0; m < members.size(); ++m) for_each_near(m, [&](std::size_t n) { stored += is_stored(m, n); });
+  make_room(kept_.ends, 2 * stored);
+  if (law_.friction > 0) make_room(kept_.slips, 3 * stored);
   for (std::size_t m = 0; m < members.size(); ++m) {
     const NearPairs::Pairs pairs = near_pairs_.pairs_of(m);
     std::size_t next = first_near_[m];  // in range
     for_each_near(m, [&](std::size_t n) {
       const std::size_t pair = next++;
-      const std::uint64_t id = members[m].id, other = members[static_cast<std::size_t>(pairs.others[n])].id;
-      if (other < id) return;
-      kept_.ends.push_back(id), kept_.ends.push_back(other);
+      if (!is_stored(m, n)) return;
+      kept_.ends.push_back(members[m].id), kept_.ends.push_back(members[static_cast<std::size_t>(pairs.others[n])].id);
       if (law_.friction > 0)
         for (std::size_t c = 0; c < 3; ++c) kept_.slips.push_back(slip_[c][pair]);
     });
@@ -270,6 +286,8 @@ void ShortRange::discard_pairs_of_others() {
 void ShortRange::derive_constants() {
   const auto members = near_pairs_.members();
   body_.assign(members.size(), 0);
+  slot_.assign(members.size(), 0);
+  eight_.assign(members.size(), 0);
   places_.assign(members.size(), {});
   motions_.assign(members.size(), {});
   for (auto* numbers : {&pressure_[0], &pressure_[1], &spring_[0], &spring_[1], &density_stiffness_[0], &density_stiffness_[1]})
@@ -279,7 +297,7 @@ void ShortRange::derive_constants() {
   first_member_.assign(stiffness_.size() + 1, members.size());
   for (std::size_t m = members.size(); m-- > 0;) {
     const NearPairs::Member& i = members[m];
-    body_[m] = i.body;
+    body_[m] = i.body, slot_[m] = i.slot, eight_[m] = i.id / byte_lanes;
     places_[m].size = i.size, motions_[m].volume = i.volume;
     for (std::size_t whose = 0; whose < 2; ++whose)
       spring_[whose][m] = stiffness_[i.body][whose],
@@ -289,6 +307,7 @@ void ShortRange::derive_constants() {
   }
   for (std::size_t b = stiffness_.size(); b-- > 0;) first_member_[b] = std::min(first_member_[b], first_member_[b + 1]);  // of a body without members
   pair_sums_.assign(members.size(), {});
+  may_be_loaded_.assign(members.size(), 0);
   near_count_.assign(members.size(), 0);
   may_slip_.assign(members.size(), law_.friction > 0);
   is_near_.assign(near_pairs_.pair_count() / byte_lanes, 0);
@@ -344,7 +363,7 @@ void ShortRange::restore_pairs() {
       if (view.slides()) view.set_slip(to, view.slip_of(first + number));
     });
   });
-  kept_.ends = std::vector<std::uint64_t>(), kept_.slips = std::vector<double>();  // which frees them
+  kept_.ends.clear(), kept_.slips.clear();
 }
 
 /// Calls f(number) for the pairs of a member in range.

@@ -142,15 +142,17 @@ class ShortRange {
   Kept kept_;
   bool is_kept_ = true;  // the state is in kept_, and not in the arrays below
 
-  // of the members, as in ShortRangeView
-  std::vector<std::uint32_t> body_;
+  // of the members, as in ShortRangeView, and where they are
+  std::vector<std::uint32_t> body_, slot_;
+  std::vector<std::uint64_t> eight_;
   std::vector<std::size_t> first_member_;
   std::vector<double> mass_density_;
   fccda::AlignedVector<PlaceOfMember> places_;
   fccda::AlignedVector<MotionOfMember> motions_;
   OwnAndOthers spring_, density_stiffness_, pressure_;
   std::vector<double> largest_overlap_, threshold_, latest_pressure_, energy_of_, compaction_of_;
-  std::vector<PairSum> pair_sums_;
+  std::vector<std::uint8_t> may_be_loaded_;  // in the latest evaluation; the others have no forces
+  std::vector<PairSum> pair_sums_;           // of these
   std::vector<std::uint32_t> near_count_;
   std::vector<std::uint8_t> may_slip_;
 

@@ -210,6 +210,7 @@ FCCDA_HD void add_pairs(const ShortRangeView& view, std::size_t m, std::size_t f
   const bool slides = view.slides(), is_damped = view.law.damping_ratio > 0, may_slip = view.may_slip[m] != 0;
   Vec3<Pack> sum{Pack(0.0), Pack(0.0), Pack(0.0)};
   Pack stored(0.0), rubbed(0.0);
+  bool is_loaded = false;  // most members near others are not
   for (; first < last; first += lanes<Pack>) {
     const std::int32_t* those = near + first;
     const std::size_t pair = first_near + first;
@@ -217,6 +218,7 @@ FCCDA_HD void add_pairs(const ShortRangeView& view, std::size_t m, std::size_t f
     const Pack its = gather<Pack>(pressure, those);
     unsigned pushes = all & bits_where_greater(mine + its, Pack(0.0));
     if (pushes == 0 && !may_slip) continue;
+    is_loaded = true;
     const auto [x, y, z, its_size] = gather_rows<Pack>(&view.places->position.x, those);
     const Vec3<Pack> between{x - Pack(place.x), y - Pack(place.y), z - Pack(place.z)};
     const Pack squared = between.x * between.x + between.y * between.y + between.z * between.z;
@@ -278,6 +280,7 @@ FCCDA_HD void add_pairs(const ShortRangeView& view, std::size_t m, std::size_t f
     for (std::size_t c = 0; c < 3; ++c) store(slips[c].data(), after[c]);
     for_each_lane<Pack>(pushes, [&](std::size_t lane) { view.set_slip(pair + lane, {slips[0][lane], slips[1][lane], slips[2][lane]}); });
   }
+  if (!is_loaded) return;
   const auto total = [](Pack pack) {
     std::array<double, lanes<Pack>> of_lane;
     store(of_lane.data(), pack);
@@ -296,7 +299,10 @@ template <class Pack>
 FCCDA_HD Vec3d add_pairs_of(const ShortRangeView& view, std::size_t m, PairSum& got) {
   Vec3d force{};
   const std::size_t count = view.near_count[m];
-  if (count == 0) return force;
+  if (count == 0) {
+    view.may_slip[m] = 0;
+    return force;
+  }
   got.energy = view.energy[m];
   got.compaction = view.compaction[m];
   // in the order of body and slot, those of the member's own body are contiguous

@@ -111,10 +111,11 @@ double rubble_of(const BodySetup& setup, const FragmentContactSetup& fragments) 
   // lattice points within 2.5 and 2 spacings, the reach of the list and of the weight function
   const double listed = (setup.is_plane() ? 20 : 80) * std::pow((2 * fragments.distance_ratio + 0.5) / 2.5, dimension);
   const double near = (setup.is_plane() ? 8 : 26) * std::pow(fragments.distance_ratio, dimension);
-  const double pair = 3.25 * slot_number + of_pair, gap = 4 * pair, found = 2 * slot_number,
+  // an eighth more than their pairs has room in the list
+  const double pair = 3.25 * slot_number + of_pair, gap = 4 * pair, spare = 0.25 * slot_number,
                kept = 2 * number + of_pair;  // stored once per pair
-  const double member = sizeof(NearPairs::Member) + sizeof(PlaceOfMember) + sizeof(MotionOfMember) + sizeof(PairSum) + 13 * number + 5 * slot_number + 2;
-  return listed * (pair + found) + gap + near / 2 * kept + member;
+  const double member = sizeof(NearPairs::Member) + sizeof(PlaceOfMember) + sizeof(MotionOfMember) + sizeof(PairSum) + 14 * number + 6 * slot_number + 3;
+  return listed * (pair + spare) + gap + near / 2 * kept + member;
 }
 
 /// [bytes] while the stiffest mode of the body is sought, which is done for a given time step that may be unstable (integrate/stiffest_mode.hpp): a copy of
@@ -154,10 +155,10 @@ BodyMemory memory_of(const Setup& setup, const BodySetup& body, const Discretisa
     memory.picture = std::max(3 * sizeof(float) * p + 19 * p, may_break ? 2 * slot_number * n : 0) + (may_break ? slot_number * p : 0);
   if (setup.output.frames > 0 && setup.output.frame_particles) memory.picture += 2 * slot_number * p;  // numbers of the particles, kept and of a frame
   if (setup.contact.fragments.law.as<FragmentLaw>() != FragmentLaw::none) {
-    // near_pairs.hpp and short_range.hpp: particle, position when the list was built, mark, member, cell and point, position and reference position in its
-    // cell; about as many cells: first point, next point while they are sorted, body, and two marks; runs of some 64 particles with their displacements;
+    // near_pairs.hpp and short_range.hpp: particle, position when the list was built, mark, member, pairs, cell and point, position and reference position in
+    // its cell; about as many cells: first point, next point while they are sorted, body, and two marks; runs of some 64 particles with their displacements;
     // threshold, surfaces, particle of a slot, broken ends of eights
-    const double of_particle = sizeof(NearPairs::Member) + vector + 1 + 3 * slot_number + 2 * vector, of_cell = 3 * slot_number + 2,
+    const double of_particle = sizeof(NearPairs::Member) + vector + 1 + 4 * slot_number + 2 * vector, of_cell = 3 * slot_number + 2,
                  of_run = sizeof(ParticleRun) + sizeof(DisplacementExtremes);
     memory.fragments = (of_particle + of_cell + of_run / 64) * p + (number + 1 + 2 + slot_number + sizeof(std::uint32_t) / lanes) * n;
     memory.rubble = rubble_of(body, setup.contact.fragments) * n;
