@@ -170,6 +170,14 @@ def table(path):
     return {name: [float(row[i]) for row in rows] for i, name in enumerate(names)}
 
 
+def variants(case):
+    """(deck, name, settings) of each run of the case's variants.sh, in its order; nothing is run."""
+    script = "".join(line for line in open(case / "variants.sh", encoding="utf-8") if not line.startswith("source"))  # which defines `variant` and its variables
+    stands_for = f'case={case} results=results\nvariant() {{ printf "%s\\0" "${{deck:-$case/deck.yaml}}" "$@"; echo; }}\n'
+    listed = subprocess.run(["bash", "-c", stands_for + script], capture_output=True, text=True, check=True).stdout
+    return [(deck, name, settings) for deck, name, *settings in (line.removesuffix("\0").split("\0") for line in listed.splitlines())]
+
+
 def main():
     program = str(Path(sys.argv[1]).resolve())
     for sentence in sys.argv[2:] or CLAIMS:

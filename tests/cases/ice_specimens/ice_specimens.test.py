@@ -8,7 +8,7 @@ from pathlib import Path
 ROOT = Path(__file__).resolve().parents[3]
 CASE = ROOT / "cases/ice_specimens"
 sys.path[:0] = [str(ROOT / "tests/cli"), str(ROOT / "scripts/results"), str(CASE)]
-from claims import claim, main  # noqa: E402
+from claims import claim, main, variants  # noqa: E402
 from measure import EDGES, measure, width_of_sphere  # noqa: E402
 from vtp_reader import pictures  # noqa: E402
 
@@ -132,6 +132,16 @@ def indenters(scene):
     found = measure(scene.folder / "specimens")
     scene.assertGreater(found["edge_narrow [-]"], 0.1)
     scene.assertLess(found["edge_narrow energy error [-]"], 1e-3)
+
+
+@claim("ice_specimens: every run of variants.sh makes contact, or has loads, and perimpact check accepts it")
+def variants_of_the_page(scene):
+    runs = variants(CASE)
+    scene.assertEqual([name for _, name, _ in runs], ["kierkegaard_coarse/drop", "riska/drop", "riska_coarse/drop", "riska_whole/drop", "crushed/indentation", "uncalibrated/bending"])
+    for deck, name, settings in runs:
+        out = scene.expect_success("check", deck, "--out", name, *(word for setting in settings for word in ("--set", setting))).out
+        if "bending" not in name:
+            scene.assertRegex(out, r"first contact     with ice at \S+ s \(step \d+\)", name)
 
 
 @claim("ice_specimens: the width of a sphere in an edge is the mean width of its section over the thickness")

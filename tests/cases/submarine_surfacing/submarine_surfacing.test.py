@@ -7,7 +7,7 @@ from pathlib import Path
 
 ROOT = Path(__file__).resolve().parents[3]
 sys.path.insert(0, str(ROOT / "tests/cli"))
-from claims import claim, main  # noqa: E402
+from claims import claim, main, variants  # noqa: E402
 
 CASE = ROOT / "cases/submarine_surfacing"
 DECK = CASE / "deck.yaml"
@@ -73,11 +73,9 @@ def open_water(scene):
 
 @claim("submarine_surfacing: perimpact check warns of nothing in any run of variants.sh")
 def steps(scene):
-    script = "".join(line for line in open(CASE / "variants.sh") if not line.startswith("source"))  # which defines `variant` and `case`
-    listed = subprocess.run(["bash", "-c", f'case={CASE}\nvariant() {{ printf "%s\\0" "${{deck:-$case/deck.yaml}}" "$@"; echo; }}\n' + script], capture_output=True, text=True, check=True).stdout
-    variants = [line.removesuffix("\0").split("\0") for line in listed.splitlines()]
-    scene.assertEqual([name for _, name, *_ in variants], ["given", "crushed", "free"])
-    for deck, name, *settings in variants:
+    runs = variants(CASE)
+    scene.assertEqual([name for _, name, _ in runs], ["given", "crushed", "free"])
+    for deck, name, settings in runs:
         scene.expect_no_warning("check", deck, "--out", name, *(word for setting in settings for word in ("--set", setting)))
 
 
