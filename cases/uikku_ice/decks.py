@@ -30,7 +30,7 @@ UNSCALED = (302,)
 
 # power, diameter of the propeller and speed in open water: README.md
 PROPULSION = {"bollard_pull": bollard_pull(11.4e6, 5.6), "open_water_speed": 8.75}
-# of the driven ship, in the ice of test 302 and in the same ice of other thicknesses [m]: the speed at which it starts [m/s], near that which it holds
+# of the driven ship, in the ice of test 302 and in the same ice of other thicknesses [m]: the speed at which it starts [m/s], an estimate of that which it holds
 FREE = {"free.yaml": (1.04, 3.8), "free_0.7m.yaml": (0.7, 5.5), "free_1.4m.yaml": (1.4, 2.4)}
 
 
@@ -64,13 +64,17 @@ def deck(number, test):
     return deck_of(run, f"MT Uikku, test {number}, {run.thickness:g} m of ice at {run.speed:g} m/s", heading(number), f"results/uikku_ice_{number}")
 
 
+def free_ship(name):
+    """Ship and ice of a deck of FREE."""
+    thickness, speed = FREE[name]
+    return replace(ship_in(tests()[302]), **PROPULSION, thickness=thickness, speed=speed)
+
+
 def free_deck(name):
     """The deck of a ship that is free in surge and heave and driven by its net thrust."""
-    test = tests()[302]
-    thickness, speed = FREE[name]
-    run = replace(ship_in(test), **PROPULSION, thickness=thickness, speed=speed)
-    title = f"MT Uikku, free, test 302, {thickness:g} m of ice, starting at {speed:g} m/s"
-    also = "" if thickness == test["thickness"] else f", in ice of {thickness:g} m"
+    run = free_ship(name)
+    title = f"MT Uikku, free, test 302, {run.thickness:g} m of ice, starting at {run.speed:g} m/s"
+    also = "" if run.thickness == tests()[302]["thickness"] else f", in ice of {run.thickness:g} m"
     return deck_of(run, title, heading(302, also), f"results/uikku_ice_{name.removesuffix('.yaml')}")
 
 

@@ -18,7 +18,7 @@ ONE_FOLDER = ["crack_branching/figures", "crack_branching/measure", "floating_st
               "ice_specimens/measure", "ice_sphere/figures", "ice_sphere/measure", "kalthoff_winkler/figures", "kalthoff_winkler/measure", "plate_impact/table",
               "propeller_ice/figures", "propeller_ice/measure", "propeller_ice/table", "ship_ice/compare", "ship_ice/contributions", "ship_ice/figures", "ship_ice/measure",
               "ship_ice/order_of_cracks", "ship_ice/window", "submarine_surfacing/figures", "submarine_surfacing/measure", "uikku_ice/clearing", "uikku_ice/compare",
-              "uikku_ice/figures"]  # fmt: skip
+              "uikku_ice/figures", "uikku_ice/speeds"]  # fmt: skip
 
 
 def script(t, path, *words, **variables):

@@ -46,6 +46,18 @@ def page(t):
     t.assertEqual(cells((CASE / "README.md").read_text(encoding="utf-8")), printed)
 
 
+@claim("uikku_ice: the page has the speeds of the driven ship that speeds.py prints, and the table has the thrust that its ships have")
+def speeds(t):
+    printed = subprocess.run([sys.executable, CASE / "speeds.py"], capture_output=True, text=True, check=True).stdout
+    text = (CASE / "README.md").read_text(encoding="utf-8")
+    rows = [line for line in printed.splitlines() if re.match(r"\| \d", line)]
+    t.assertEqual(len(rows), len(FREE))
+    for line in rows:
+        t.assertIn(line + "\n", text)
+        speed, thrust = float(line.split("|")[2]), float(line.split("|")[5])
+        t.assertAlmostEqual(thrust / (1245.9 * (1 - speed / 8.75 / 3 - 2 / 3 * (speed / 8.75) ** 2)), 1, delta=2e-3)  # speeds are rounded to 0.01 m/s
+
+
 @claim("uikku_ice: the page has what the published predictions imply, and predictions made with a known friction return it")
 def published(t):
     import published as script
