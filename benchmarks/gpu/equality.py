@@ -46,7 +46,7 @@ CHANGES = {
     "ice_specimens/crushed.yaml": pressed(BOTH_ENDS, "1 ms", 0.4),
     "ice_specimens/tension.yaml": pressed(BOTH_ENDS, "1 ms", -0.2),
     "ice_specimens/punch.yaml": {"bodies.block.boundary_conditions.punch.prescribed.z": "{times: [0, 0.5 ms], velocities: [0, -2]}"},
-    "ice_specimens/edge_cylinder.yaml": {"impactors.indenter.velocity": "[2 m/s, 0, 0]"},
+    **{f"ice_specimens/{deck}.yaml": {"impactors.indenter.velocity": "[2 m/s, 0, 0]"} for deck in ("edge_cylinder", "edge_sphere")},
     "kalthoff_winkler/": {"bodies.plate.material.critical_stretch": 0.001},
     "plate_impact/": {"bodies.plate.material.critical_stretch": 0.001},
     "ship_ice/": {"bodies.sheet.material.flexural_strength": "50 kPa", "impactors.ship.position": "[0.05 m, 0, 0]", "impactors.ship.velocity": "[-20 m/s, 0, 0]"},
@@ -54,7 +54,7 @@ CHANGES = {
     "ship_ice/window.yaml": {"bodies.sheet.moving_window": "{follow: ship, start_after: 0 m}"},
     "submarine_surfacing/": {"impactors.submarine.velocity": "[0, 0, 20 m/s]"},
     "uikku_ice/": {"bodies.sheet.material.flexural_strength": "20 kPa", "bodies.sheet.moving_window": "{follow: ship, start_after: 0 m}", "impactors.ship.position": "[0.05 m, 0, 0]"},
-    "uikku_ice/free.yaml": {"impactors.ship.velocity": "[-300 m/s, 0, 0]"},
+    "uikku_ice/free": {"impactors.ship.velocity": "[-300 m/s, 0, 0]"},
     **{f"uikku_ice/{deck}": {"impactors.ship.motion.x": "{times: [0, 1], velocities: [-300 m/s, -300 m/s]}"} for deck in ("deck.yaml", "test_103.yaml", "test_104.yaml", "test_205.yaml", "test_403.yaml")},
 }  # fmt: skip
 
