@@ -49,10 +49,15 @@ def measured(folders):
     for folder in folders:
         row = measure(folder)
         rows[row["test"]] = row
-    with open(HERE / RESULTS, "w", newline="", encoding="utf-8") as lines:
+    write_rows(RESULTS, rows)
+
+
+def write_rows(name, rows):
+    """A table of this folder, from its rows by what they are sorted by."""
+    with open(HERE / name, "w", newline="", encoding="utf-8") as lines:
         writer = csv.DictWriter(lines, next(iter(rows.values())), lineterminator="\n")
         writer.writeheader()
-        writer.writerows(rows[number] for number in sorted(rows))
+        writer.writerows(rows[key] for key in sorted(rows))
 
 
 def cell(row):

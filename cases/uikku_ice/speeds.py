@@ -6,7 +6,6 @@ rows in speeds.csv are replaced, and figures/speeds.png is drawn: speeds of the 
 table of README.md is printed.
 """
 
-import csv
 from dataclasses import replace
 
 import matplotlib
@@ -14,6 +13,7 @@ import matplotlib
 matplotlib.use("Agg")
 import matplotlib.pyplot as plt  # noqa: E402
 import numpy as np  # noqa: E402
+from compare import cell, write_rows  # noqa: E402
 from decks import FREE, HERE, free_ship  # noqa: E402  which makes ../ship_ice importable
 from measure import history, mean, options, records, refuse, report_of, run  # noqa: E402  which makes scripts/results importable
 from resistance import held_speed, lindqvist, net_thrust, riska  # noqa: E402
@@ -60,10 +60,7 @@ def measured(folders):
     rows = runs()
     for row in map(measure, folders):
         rows[float(row["thickness [m]"])] = row
-    with open(HERE / SPEEDS, "w", newline="", encoding="utf-8") as lines:
-        writer = csv.DictWriter(lines, next(iter(rows.values())), lineterminator="\n")
-        writer.writeheader()
-        writer.writerows(rows[thickness] for thickness in sorted(rows))
+    write_rows(SPEEDS, rows)
 
 
 def has_settled(row):
@@ -98,10 +95,10 @@ def main():
     print("|---|---|---|---|---|---|---|")
     for thickness, row in sorted(runs().items()):
         ship = ships()[thickness]
-        speed, at_least = float(row["mean speed [m/s]"]), "at least " if row["standard error is a lower bound"] == "1" else ""
+        speed = float(row["mean speed [m/s]"])
         formulas = " | ".join(f"{held_speed(ship, formula):.1f}" for _, formula in FORMULAS)
-        force = f"{float(row['mean F_x [N]']) / 1e3:.0f} ± {at_least}{float(row['standard error [N]']) / 1e3:.0f}"
-        print(f"| {thickness:g} | {speed:.2f} | {float(row['change of the speed [m/s]']):+.2f} | {force} | {net_thrust(replace(ship, speed=speed)) / 1e3:.0f} | {formulas} |")
+        print(f"| {thickness:g} | {speed:.2f} | {float(row['change of the speed [m/s]']):+.2f} | {cell(row)} | {net_thrust(replace(ship, speed=speed)) / 1e3:.0f} | {formulas} |")
+
 
 if __name__ == "__main__":
     run(main)
