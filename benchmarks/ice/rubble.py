@@ -66,7 +66,7 @@ def main():
             sys.exit("The programs differ in history.csv, so their times are not comparable.")
         each = {name: 1e3 * seconds(report) / steps for name, (steps, report, _) in results.items()}  # [ms] a step
         for name, (steps, report, _) in results.items():
-            cells = {"machine": machine(), "case": given.deck.parent.name, "program": name, "threads": given.threads, "round": number,
+            cells = {"machine": machine(), "case": f"{given.deck.parent.name}/{given.deck.stem}", "program": name, "threads": given.threads, "round": number,
                      "steps": steps, "steps/s": f"{1e3 / each[name]:.3g}"}  # fmt: skip
             cells |= {f"{timer} [ms]": f"{1e3 * report['timers [s]'].get(timer, 0) / steps:.2f}" for timer in TIMERS}
             cells["time over before"] = f"{each[name] / each['before']:.3f}" if name == "perimpact" else ""

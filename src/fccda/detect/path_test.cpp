@@ -25,18 +25,19 @@ bool PathTest::is_inside(const Vec3d& point, double tolerance, double radius) co
          too_near(*closest, point, radius - tolerance, tested);
 }
 
-bool PathTest::leads_to_contact(const Path& path, const ClosestPoint& at_start, const ClosestPoint& at_end, const Ball& ball, std::size_t& tested) const {
+bool PathTest::leads_to_contact(const Path& path, const ClosestPoint& at_start, const ClosestPoint& at_end, const Ball& ball, const Bvh::Nearby& nearby,
+                                std::size_t& tested) const {
   if (surface().is_closed() && too_near(at_end, path.end, ball.radius - ball.offset, tested)) return true;
   // No point of the path is nearer than half of the difference between the distances at its ends and its length.
   if (at_start.distance + at_end.distance > 2 * ball.radius + path.length() + ball.offset) return false;
-  if (ball.radius == 0) return bvh().first_hit(path.start, path.end, tested).has_value();
+  if (ball.radius == 0) return bvh().first_hit(path.start, path.end, nearby, tested).has_value();
   const double limit = ball.radius - ball.offset;
-  const std::optional<double> nearest = bvh().distance_to_segment(path.start, path.end, limit, tested);
+  const std::optional<double> nearest = bvh().distance_to_segment(path.start, path.end, limit, nearby, tested);
   return nearest && *nearest < limit;
 }
 
 std::optional<PathTest::Leg> PathTest::first_leg(const CurvedPath& path, const Vec3d& start, const ClosestPoint& at_start, const ClosestPoint& at_end,
-                                                 const Ball& ball, std::size_t& tested) const {
+                                                 const Ball& ball, const Bvh::Nearby& nearby, std::size_t& tested) const {
   const int parts = path.parts();
   Leg leg{{start, start}, at_start, 0, 1.0 / parts};
   for (int k = 0; k < parts;) {
@@ -51,7 +52,7 @@ std::optional<PathTest::Leg> PathTest::first_leg(const CurvedPath& path, const V
       if (!found) return std::nullopt;
       next = *found;
     }
-    if (!skips && leads_to_contact(leg.path, leg.at_start, next, ball, tested)) return leg;
+    if (!skips && leads_to_contact(leg.path, leg.at_start, next, ball, nearby, tested)) return leg;
     leg = {{leg.path.end, leg.path.end}, next, static_cast<double>(k) / parts, leg.share};
   }
   return std::nullopt;
@@ -151,13 +152,13 @@ PathResult PathTest::evaluate(const PathQuery& query, int& guess, Effort& effort
   if (!in_front && !entered && query.radius > 0 && at_start.distance >= query.radius - offset) {
     // The whole ball is clear beside or behind the surface. It may come round to the front, and counts as a ball if it makes contact there first.
     const Ball whole{query.radius, offset};
-    leg = first_leg(query.path, start, at_start, *at_end, whole, tested);
+    leg = first_leg(query.path, start, at_start, *at_end, whole, nearby, tested);
     if (leg && first_contact(*leg, whole, nearby, tested).front)
       ball = whole;
     else
       leg.reset();
   }
-  if (!leg) leg = first_leg(query.path, start, at_start, *at_end, ball, tested);
+  if (!leg) leg = first_leg(query.path, start, at_start, *at_end, ball, nearby, tested);
   if (!leg) return result;
 
   result.clearance = 0;

@@ -88,9 +88,10 @@ class PathTest : private Relocator {
     double begin, share;  // of the step: when it begins, how much of it it is
   };
 
-  bool leads_to_contact(const Path& path, const ClosestPoint& at_start, const ClosestPoint& at_end, const Ball& ball, std::size_t& tested) const;
+  bool leads_to_contact(const Path& path, const ClosestPoint& at_start, const ClosestPoint& at_end, const Ball& ball, const Bvh::Nearby& nearby,
+                        std::size_t& tested) const;
   std::optional<Leg> first_leg(const CurvedPath& path, const Vec3d& start, const ClosestPoint& at_start, const ClosestPoint& at_end, const Ball& ball,
-                               std::size_t& tested) const;
+                               const Bvh::Nearby& nearby, std::size_t& tested) const;
   BodyFrameContact first_contact(const Leg& leg, const Ball& ball, const Bvh::Nearby& nearby, std::size_t& tested) const;
 
   SharedSurface shared_;  // owner of what the base refers to

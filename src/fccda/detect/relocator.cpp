@@ -134,18 +134,22 @@ Vec3d Relocator::slide(const Vec3d& from, const Vec3d& to, double radius, double
   constexpr std::size_t max_parts = 8;
   std::size_t tested = 0;
   const Vec3d total = to - from;
+  const double way = norm(total);
+  Bvh::Nearby nearby;  // of all parts of the way, which stays in the ball of radius `way` about its beginning
+  const std::optional<ClosestPoint> at_start = bvh_->closest(from, radius + offset + way, -1, way + 4 * offset, nearby, tested);
+  if (!at_start) return to;
   // A ball that entered from behind an open surface is treated as a point until it has clearance.
-  const bool is_point = radius > 0 && !surface_->is_closed() && bvh_->closest(from, radius - offset);
+  const bool is_point = radius > 0 && !surface_->is_closed() && at_start->distance <= radius - offset;
   const double clearance = (is_point ? 0 : radius) + 0.5 * offset;
   std::array<Vec3d, max_parts> walls;
   Vec3d place = from, direction = total;
   double left = 1;
   for (std::size_t part = 0; part < max_parts; ++part) {
     const Vec3d end = part == 0 ? to : place + left * direction;
-    const std::optional<Crossing> contact = bvh_->first_contact(place, end, clearance, 0.1 * offset, -1, tested);
+    const std::optional<Crossing> contact = bvh_->first_contact(place, end, clearance, 0.1 * offset, -1, nearby, tested);
     const Vec3d reached = contact ? place + contact->fraction * (end - place) : end;
     // At one offset from an edge, rounding leaves the direction undefined: a path into the edge may be taken for one along it.
-    if (reached != place && bvh_->distance_to_segment(place, reached, clearance - 0.25 * offset, tested)) return place;
+    if (reached != place && bvh_->distance_to_segment(place, reached, clearance - 0.25 * offset, nearby, tested)) return place;
     if (!contact) return end;
     place = reached;
     left *= 1 - contact->fraction;
@@ -161,7 +165,7 @@ Vec3d Relocator::slide(const Vec3d& from, const Vec3d& to, double radius, double
     wall = normalised(wall);
 
     // Along the wall, or along its edge with an earlier wall that this direction would enter. Anything else is a corner.
-    const double into = -1e-12 * norm(total);
+    const double into = -1e-12 * way;
     direction = total - dot(total, wall) * wall;
     const auto leads_into = [&](const Vec3d& other) { return dot(direction, other) < into; };
     const auto earlier = std::find_if(walls.begin(), walls.begin() + static_cast<std::ptrdiff_t>(part), leads_into);

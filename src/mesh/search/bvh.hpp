@@ -113,7 +113,11 @@ class Bvh {
                                         std::size_t& tested) const;
 
   /// Distance between the segment and the surface if it is at most `cap` [m].
-  std::optional<double> distance_to_segment(const Vec3d& start, const Vec3d& end, double cap, std::size_t& tested) const;
+  std::optional<double> distance_to_segment(const Vec3d& start, const Vec3d& end, double cap, std::size_t& tested) const {
+    return distance_to_segment(start, end, cap, {}, tested);
+  }
+  /// The same with cached surroundings.
+  std::optional<double> distance_to_segment(const Vec3d& start, const Vec3d& end, double cap, const Nearby& nearby, std::size_t& tested) const;
 
   /// Winding number of the triangles of one solid about the point: the sum over the crossings of a ray along x (ray_crossing.hpp).
   int enclosures(const Vec3d& point, int solid) const;

@@ -212,14 +212,14 @@ std::optional<Crossing> Bvh::first_contact(const Vec3d& start, const Vec3d& end,
   return first;
 }
 
-std::optional<double> Bvh::distance_to_segment(const Vec3d& start, const Vec3d& end, double cap, std::size_t& tested) const {
+std::optional<double> Bvh::distance_to_segment(const Vec3d& start, const Vec3d& end, double cap, const Nearby& nearby, std::size_t& tested) const {
   if (!is_finite(start) || !is_finite(end)) return std::nullopt;
   const double until = 1;
   double best = cap;
   bool found = false;
   const double scale = scale_of(start, end), half = 0.5 * norm(end - start);
   const Vec3d middle = 0.5 * (start + end) - origin_;
-  visit_segment(start, end, until, best, [&](const Leaf& leaf) {
+  visit_near_segment(start, end, until, best, nearby, [&](const Leaf& leaf) {
     for (unsigned left = may_be_within(leaf, middle, best + half, scale); left != 0; left &= left - 1) {
       ++tested;
       const int triangle = leaf.triangle[static_cast<std::size_t>(std::countr_zero(left))];

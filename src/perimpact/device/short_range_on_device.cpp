@@ -64,6 +64,7 @@ void ShortRangePasses::add_forces(ShortRange& contact, std::span<const Contactin
   for (BodyPasses* body : bodies_) body->motion().to_device(), body->forces().to_device();
   NearPairs& pairs = contact.near_pairs();
   contact.reserve_all_pairs();  // the kernel that inserts pairs reports nothing
+  pairs.use_common_skin();      // moved() is of all particles
   if (!is_here_) pairs.forget();
   if (pairs.needs_new_list(bodies, is_here_ ? moved(pairs) : DisplacementExtremes{})) {
     to_host(contact);

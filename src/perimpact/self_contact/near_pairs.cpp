@@ -46,8 +46,10 @@ NearPairs::NearPairs(const ShortRangeLaw& law, std::span<const ContactingBody> b
     }
   }
   ranks().max(extremes);
-  longest_ = weight_reach * law.distance_ratio * extremes[0];
+  longest_ = (1 + 1e-9) * weight_reach * law.distance_ratio * extremes[0];  // so that rounding of searches by packs and cells never decides, but reach_of()
   skin_ = skin_ratio * finest;
+  // Two fast particles that may meet are within two rings of cells. The limit of three skins keeps lists short beside a much coarser body.
+  fast_ = FastParticles(0.5 * skin_, std::min(0.5 * longest_ + skin_, 3 * skin_));
   for (std::size_t b = 0; b < bodies.size(); ++b) bonded_within_.push_back((1 - 1e-9) * bodies[b].family.reach(-extremes[1 + b]));
   list_particles(bodies);
 }
@@ -75,6 +77,12 @@ void NearPairs::list_particles(std::span<const ContactingBody> bodies) {
 void NearPairs::forget() {
   is_known_ = false;
   exposures_.clear();
+}
+
+bool NearPairs::needs_new_list(std::span<const ContactingBody> bodies) {
+  const DisplacementExtremes of_others = displacement_extremes(runs_, bodies, reference_positions_, drift_);
+  const bool have_moved = fast_have_moved(bodies, of_others);
+  return needs_new_list(bodies, of_others) || have_moved;
 }
 
 bool NearPairs::needs_new_list(std::span<const ContactingBody> bodies, const DisplacementExtremes& of_own) {
@@ -112,12 +120,19 @@ std::vector<std::uint32_t> NearPairs::members_with_broken_bonds() const {
   return found;
 }
 
-/// The movement of all particles is examined in each step, without their descriptions.
+/// None in a run of several ranks, each of which receives foreign particles within the common skin alone.
+void NearPairs::choose_fast(std::span<const ContactingBody> bodies) {
+  fast_.clear();
+  if (!has_fast_ || ranks().size() > 1) return;
+  fast_.choose(particles_.size(), [&](std::size_t p) { return bodies[particles_[p].body].particles.velocity.at(particles_[p].slot); });
+}
+
+/// The movement of all other particles is examined in each step, without their descriptions.
 void NearPairs::list_runs() {
   runs_.clear();
   for (std::size_t p = 0; p < particles_.size(); ++p) {
     const Member& particle = particles_[p];
-    if (particle.is_foreign) continue;
+    if (particle.is_foreign || fast_.contains(static_cast<std::uint32_t>(p))) continue;
     ParticleRun* last = runs_.empty() ? nullptr : &runs_.back();
     const bool continues = last && last->body == particle.body && last->slot + last->count == particle.slot && last->particle + last->count == p;
     if (continues && last->count < block)
@@ -133,6 +148,17 @@ bool NearPairs::has_moved_by_skin(const DisplacementExtremes& of_own) {
   const Vec3d low{-largest[0], -largest[1], -largest[2]}, high{largest[3], largest[4], largest[5]};
   drift_ = 0.5 * (low + high);  // the next step's
   return !(squared_norm(high - low) <= skin_ * skin_ || largest[6] <= 0.25 * skin_ * skin_);
+}
+
+/// Whether a fast particle has moved by more than its margin from the drift of which all others are within half a skin.
+bool NearPairs::fast_have_moved(std::span<const ContactingBody> bodies, const DisplacementExtremes& of_others) const {
+  const bool is_in_box = squared_norm(of_others.high - of_others.low) <= skin_ * skin_;
+  const Vec3d drift = is_in_box ? 0.5 * (of_others.low + of_others.high) : drift_;
+  return !std::ranges::all_of(fast_.all(), [&](const FastParticles::Particle& fast) {
+    const Member& particle = particles_[fast.particle];
+    const Vec3d by = bodies[particle.body].particles.position.at(particle.slot) - reference_positions_.at(fast.particle);
+    return squared_norm(by - drift) <= fast.margin * fast.margin;
+  });
 }
 
 std::size_t NearPairs::body_of(std::uint64_t id) const {
@@ -214,6 +240,7 @@ void NearPairs::make(std::span<const ContactingBody> bodies) {
   ++times_made_;
   if (std::ranges::any_of(bodies, [](const ContactingBody& body) { return !body.particles.crushed.empty(); })) list_particles(bodies);
   find_foreign(bodies);
+  choose_fast(bodies);
   list_runs();
   fccda::parallel_for_blocks(particles_.size(), block, [&](std::size_t first, std::size_t last) {
     for (std::size_t p = first; p < last; ++p)
@@ -226,6 +253,7 @@ void NearPairs::make(std::span<const ContactingBody> bodies) {
     for (std::size_t n = first; n < last; ++n) references_by_cell_.set(n, particles_[cells_.points_by_cell()[n]].reference);
   });
   mark_cells();
+  find_far_pairs();
 
   // There is mostly room where the pairs of the latest list were. If not, they are counted, and found again when there is.
   if ((pair_count_ = find_pairs(bodies)) > std::min(others_.size(), bonds_.size())) {
@@ -247,6 +275,37 @@ void NearPairs::make(std::span<const ContactingBody> bodies) {
   is_known_ = true;
 }
 
+void NearPairs::find_far_pairs() {
+  const std::span<const FastParticles::Particle> fast = fast_.all();
+  std::vector<std::vector<FarPair>> of_fast(fast.size());
+  fccda::parallel_for_uneven_throwing(static_cast<std::ptrdiff_t>(fast.size()), [&](std::ptrdiff_t number) {
+    const std::uint32_t p = fast[static_cast<std::size_t>(number)].particle;
+    const double margin = fast[static_cast<std::size_t>(number)].margin;
+    std::vector<FarPair>& found = of_fast[static_cast<std::size_t>(number)];
+    const auto visit = [&](std::uint32_t q) {
+      if (q == p) return;
+      const double its_margin = fast_.margin_of(q), contact = reach_of(particles_[p], particles_[q]), common = contact + skin_,
+                   least = contact + (margin + its_margin), squared = squared_reference_distance(p, q);
+      if (squared < common * common || !(squared < least * least)) return;
+      found.push_back({p, q});
+      if (!fast_.contains(q)) found.push_back({q, p});
+    };
+    const double reach = longest_ + margin + fast_.most();
+    const auto all = [](std::size_t) { return ~0u; };
+    cells_.for_each_around(
+        cells_.cell_of(p), [&](std::size_t cell) { cells_.for_each_within(cell, reference_positions_.at(p), reach * reach, all, visit); }, 2);
+  });
+  far_pairs_.clear();
+  for (const std::vector<FarPair>& pairs : of_fast) far_pairs_.insert(far_pairs_.end(), pairs.begin(), pairs.end());
+  std::ranges::sort(far_pairs_);
+}
+
+std::span<const NearPairs::FarPair> NearPairs::far_pairs_of(std::size_t particle) const {
+  const auto number = static_cast<std::uint32_t>(particle);
+  const auto first = std::ranges::lower_bound(far_pairs_, number, {}, &FarPair::particle);
+  return {first, std::ranges::upper_bound(first, far_pairs_.end(), number, {}, &FarPair::particle)};
+}
+
 /// Writes the pairs of all particles, if there is room, with particles in place of members, and returns the room they need. Blocks of particles lie in the
 /// order in which threads complete them, on which no result depends.
 std::size_t NearPairs::find_pairs(std::span<const ContactingBody> bodies) {
@@ -258,7 +317,7 @@ std::size_t NearPairs::find_pairs(std::span<const ContactingBody> bodies) {
     thread_local std::vector<Found> found, of_block;  // kept from list to list: to return and obtain their memory takes longer than to find the pairs
     of_block.clear();
     for (std::size_t p = first; p < last; ++p) {
-      if (particles_[p].is_foreign || !(cell_marks_[cells_.cell_of(p)] & is_near)) continue;
+      if (particles_[p].is_foreign || (!(cell_marks_[cells_.cell_of(p)] & is_near) && far_pairs_of(p).empty())) continue;
       find_of(p, bodies, found);
       counts_[p] = static_cast<std::uint32_t>(found.size());
       for (const bool bonded : {false, true})
@@ -357,22 +416,26 @@ void NearPairs::find_of(std::size_t p, std::span<const ContactingBody> bodies, s
   const bool near_damage = (cell_marks_[cells_.cell_of(p)] & is_near_damage) != 0, searches = near_damage || is_exposed(i);
   const double within = bonded_within_[i.body], surely_bonded = within * within, reach = longest_ + skin_;
   bool may_be_bonded = false;
-  cells_.for_each_around(cells_.cell_of(p), [&](std::size_t cell) {
-    const bool others_near_damage = (cell_marks_[cell] & is_near_damage) != 0;
-    if (!searches && !others_near_damage && !(cell_marks_[cell] & holds_exposed)) return;
+  const auto is_damaged_near = [&](std::size_t cell) { return (cell_marks_[cell] & is_near_damage) != 0; };
+  // of a particle within the reach of the list
+  const auto add = [&](std::uint32_t q, bool others_near_damage) {
+    const Member& j = particles_[q];
+    if (!searches && !others_near_damage && !is_exposed(j)) return;
     // between two particles that have lost no bond, a bond of theirs is intact
+    if (!near_damage && !others_near_damage && i.body == j.body && squared_norm(j.reference - i.reference) < surely_bonded) return;
+    may_be_bonded = may_be_bonded || i.body == j.body;
+    found.push_back({q, no_bond});
+  };
+  for (const FarPair& pair : far_pairs_of(p)) add(pair.other, is_damaged_near(cells_.cell_of(pair.other)));
+  cells_.for_each_around(cells_.cell_of(p), [&](std::size_t cell) {
+    const bool others_near_damage = is_damaged_near(cell);
+    if (!searches && !others_near_damage && !(cell_marks_[cell] & holds_exposed)) return;
     const bool is_whole = !near_damage && !others_near_damage;
-    const auto is_bonded = [&](const Member& j) { return is_whole && i.body == j.body && squared_norm(j.reference - i.reference) < surely_bonded; };
     const auto visit = [&](std::uint32_t q) {
-      if (q == p) return;
-      const Member& j = particles_[q];
-      if ((!searches && !others_near_damage && !is_exposed(j)) || is_bonded(j)) return;
-      const double least = reach_of(i, j) + skin_;
-      if (!(squared_norm(reference_positions_.at(q) - reference_positions_.at(p)) < least * least)) return;
-      may_be_bonded = may_be_bonded || i.body == j.body;
-      found.push_back({q, no_bond});
+      const double least = reach_of(i, particles_[q]) + skin_;
+      if (q != p && squared_reference_distance(p, q) < least * least) add(q, others_near_damage);
     };
-    // in most cells all are of this body and whole: packs leave out those that is_bonded() would
+    // in most cells all are of this body and whole: packs leave out those that are surely bonded
     const bool is_of_body = is_whole && cell_bodies_[cell] == i.body;
     cells_.for_each_within(
         cell, reference_positions_.at(p), reach * reach,

@@ -2,8 +2,8 @@
 ///
 /// A pair is in contact if its particles are nearer than their contact distance, have no intact bond, and at least one of them is exposed
 /// (family/exposure.hpp). The list contains every such pair as long as
-///   no two particles have approached by more than the skin: every displacement since the list was built is within half a skin of a common
-///     drift, so that rigid translation does not invalidate the list;
+///   every displacement since the list was built is within the margin of its particle of a common drift, so that rigid translation does not invalidate the
+///     list. The margin is half a skin, and more for the fastest particles (FastParticles). The list reaches as far beyond contact as the margins of both;
 ///   bonds broke only near particles that had lost one before, where the list contains bonded pairs too.
 /// It is rebuilt in the step in which either condition fails. Surplus pairs do not affect results: pairs out of contact are skipped, and
 /// those in contact are summed in the order of body and slot.
@@ -22,6 +22,7 @@
 #include "base/aligned.hpp"
 #include "perimpact/family/exposure.hpp"
 #include "perimpact/self_contact/displacement_extremes.hpp"
+#include "perimpact/self_contact/fast_particles.hpp"
 #include "perimpact/self_contact/foreign_particles.hpp"
 #include "perimpact/self_contact/pairs_view.hpp"
 #include "perimpact/self_contact/short_range_law.hpp"
@@ -70,10 +71,10 @@ class NearPairs {
   NearPairs(const ShortRangeLaw& law, std::span<const ContactingBody> bodies);
 
   /// Returns whether the list is out of date; to be called once per step. make() rebuilds it. Both are collective.
-  bool needs_new_list(std::span<const ContactingBody> bodies) {
-    return needs_new_list(bodies, displacement_extremes(runs_, bodies, reference_positions_, drift_));
-  }
+  bool needs_new_list(std::span<const ContactingBody> bodies);
+  /// The same, with extremes over all own particles, after use_common_skin().
   bool needs_new_list(std::span<const ContactingBody> bodies, const DisplacementExtremes& of_own);
+  void use_common_skin() { has_fast_ = false; }  ///< further lists have no fast particles
   void make(std::span<const ContactingBody> bodies);
   /// Receives the state of foreign members from their owners; to be called in each step, after make(). Collective.
   void refresh_foreign(std::span<const ContactingBody> bodies);
@@ -119,19 +120,29 @@ class NearPairs {
   struct Found {
     std::uint32_t particle, bond;
   };
+  /// A pair with a fast particle, which are farther apart than the list is to reach with the common skin.
+  struct FarPair {
+    std::uint32_t particle, other;
+    auto operator<=>(const FarPair&) const = default;
+  };
   bool has_moved_by_skin(const DisplacementExtremes& of_own);
+  bool fast_have_moved(std::span<const ContactingBody> bodies, const DisplacementExtremes& of_others) const;
   bool is_exposed(const Member& member) const {
     return member.is_foreign ? foreign_states_[member.slot].is_exposed != 0 : exposures_[member.body].is_exposed(member.slot);
   }
   void list_particles(std::span<const ContactingBody> bodies);
   void find_foreign(std::span<const ContactingBody> bodies);
+  void choose_fast(std::span<const ContactingBody> bodies);
   void list_runs();
   void mark_cells();
+  double squared_reference_distance(std::size_t p, std::size_t q) const { return squared_norm(reference_positions_.at(q) - reference_positions_.at(p)); }
   bool has_lost(const Member& particle) const {
     return particle.is_foreign ? foreign_.all()[particle.slot].has_lost != 0 : exposures_[particle.body].has_lost(particle.slot);
   }
   std::size_t body_of(std::uint64_t id) const;
   double reach_of(const Member& i, const Member& j) const { return weight_reach * (law_.distance_ratio * (0.5 * (i.size + j.size))); }
+  void find_far_pairs();
+  std::span<const FarPair> far_pairs_of(std::size_t particle) const;
   std::size_t find_pairs(std::span<const ContactingBody> bodies);
   void list_members();
   void find_of(std::size_t particle, std::span<const ContactingBody> bodies, std::vector<Found>& found) const;
@@ -147,7 +158,7 @@ class NearPairs {
   // of all particles of all bodies, with those of other ranks, by id
   std::vector<Member> particles_;
   VectorArray reference_positions_;                      // [m] positions when the list was built
-  std::vector<ParticleRun> runs_;                        // all own particles, when the list was built
+  std::vector<ParticleRun> runs_;                        // all own particles but the fast ones, when the list was built
   Vec3d drift_{};                                        // [m] approximate common displacement since
   std::vector<std::uint8_t> near_damage_;                // near a particle that has lost a bond
   std::vector<std::uint32_t> member_of_;                 // none if it has no pairs
@@ -156,6 +167,10 @@ class NearPairs {
   ForeignParticles foreign_;
   std::vector<ForeignState> foreign_states_;
   std::vector<std::uint32_t> own_particles_, foreign_particles_;  // particle of each own and foreign one; empty in a run of one rank
+
+  FastParticles fast_;
+  bool has_fast_ = true;
+  std::vector<FarPair> far_pairs_;  // ascending, each from both ends
 
   WrappedCells cells_;
   std::vector<std::uint8_t> cell_marks_;

@@ -2,6 +2,7 @@
 /// distant fragments cost no memory. Distant cubes may share a cell of the table; the search compares distances in any case.
 #pragma once
 
+#include <algorithm>
 #include <array>
 #include <cstdint>
 #include <span>
@@ -47,22 +48,21 @@ class WrappedCells {
   }
   std::span<const std::uint32_t> points_by_cell() const { return points_; }  ///< all points, cell by cell
 
-  /// Calls visit(cell) for the cell and its neighbours, each once.
+  /// Calls visit(cell) for the cell and its neighbours, each once. `rings`: 1; with 2 the neighbours of these as well.
   template <class Visit>
-  void for_each_around(std::size_t cell, const Visit& visit) const {
+  void for_each_around(std::size_t cell, const Visit& visit, std::size_t rings = 1) const {
     const std::array<std::size_t, 3> at = {cell & mask(0), (cell >> bits_[0]) & mask(1), cell >> (bits_[0] + bits_[1])};
-    for (std::size_t dz = 0; dz < steps(2); ++dz)
-      for (std::size_t dy = 0; dy < steps(1); ++dy)
-        for (std::size_t dx = 0; dx < steps(0); ++dx) {
-          const std::size_t x = (at[0] + dx - 1 + (bits_[0] == 0)) & mask(0), y = (at[1] + dy - 1 + (bits_[1] == 0)) & mask(1),
-                            z = (at[2] + dz - 1 + (bits_[2] == 0)) & mask(2);
+    for (std::size_t dz = 0; dz < steps(2, rings); ++dz)
+      for (std::size_t dy = 0; dy < steps(1, rings); ++dy)
+        for (std::size_t dx = 0; dx < steps(0, rings); ++dx) {
+          const std::size_t x = (at[0] + dx - rings) & mask(0), y = (at[1] + dy - rings) & mask(1), z = (at[2] + dz - rings) & mask(2);
           visit((z << (bits_[0] + bits_[1])) | (y << bits_[0]) | x);
         }
   }
 
  private:
   std::size_t mask(std::size_t axis) const { return (std::size_t{1} << bits_[axis]) - 1; }
-  std::size_t steps(std::size_t axis) const { return bits_[axis] == 0 ? 1 : 3; }
+  std::size_t steps(std::size_t axis, std::size_t rings) const { return std::min(mask(axis) + 1, 2 * rings + 1); }
 
   std::array<unsigned, 3> bits_{};  // of the number of cells along each axis: 0, or 2 at least, so that the neighbours of a cell are distinct
   std::vector<std::uint32_t> cell_of_, first_, points_;

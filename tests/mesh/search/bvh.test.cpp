@@ -157,6 +157,34 @@ TEST_CASE("bvh: the distance to a segment is the least to any triangle, and 0 if
   }
 }
 
+TEST_CASE("bvh: with cached surroundings the distance to a segment is the same number") {
+  std::size_t cached = 0, found = 0;
+  for (const fixtures::Body& body : meshes()) {
+    CAPTURE(body.name);
+    const Surface surface(body.panels);
+    const Bvh bvh(surface);
+    const Box& bounds = surface.report().bounds;
+    std::mt19937_64 random(12);
+    for (int trial = 0; trial < 200; ++trial) {
+      const Vec3d start = fixtures::random_in_box(random, bounds.low, bounds.high) + 0.02 * fixtures::random_direction(random);
+      std::size_t tested = 0;
+      Bvh::Nearby nearby;
+      const double way = 0.002, reach = 0.004;  // m; far below the size of a triangle
+      const auto closest = bvh.closest(start, Bvh::no_cap, -1, reach, nearby, tested);
+      REQUIRE(closest);
+      for (const double cap : {closest->distance - way, closest->distance, closest->distance + way}) {
+        const Vec3d end = start + way * fixtures::random_direction(random);
+        const auto distance = bvh.distance_to_segment(start, end, cap, nearby, tested);
+        CHECK(distance == bvh.distance_to_segment(start, end, cap, tested));
+        cached += nearby.covers(cap + way);
+        found += distance.has_value();
+      }
+    }
+  }
+  CHECK(cached > 1000);
+  CHECK(found > 1000);
+}
+
 TEST_CASE("bvh: paths straight at vertices and edges never pass through") {
   for (const fixtures::Body& body : fixtures::bodies()) {
     CAPTURE(body.name);

@@ -412,6 +412,64 @@ TEST_CASE("short range: bodies in common translation need no new list, however f
   CHECK(contact.near_pairs().times_made() == 1);
 }
 
+TEST_CASE(
+    "short range: fast particles come into contact and fly on without a new list, as far as their thicker skin, and forces are those of a sum over all pairs") {
+  constexpr double dt = 1e-8, speed = 0.05 * spacing / dt;
+  Pile pile{.law = {.friction = 0.3}, .bodies = {}};
+  pile.bodies.push_back(fixtures::body({.size = {0.011, 0.011, 0.011}, .spacing = spacing}));  // one particle in a hundred may be fast
+  fixtures::deform(pile.bodies[0], [](const Vec3d& X) { return 0.6 * X; });                    // so dense that contact begins farther away
+  const double face = 0.6 * 0.005;
+  // pairs are in contact within two spacings; lists reach half a spacing farther, and another 1.25 for fast particles
+  for (const double y : {-2., 0., 2.})
+    pile.bodies.push_back(fixtures::lone_particle(spacing, {face + 2.6 * spacing, y * spacing, 0.3 * spacing}, {-speed, 0, 0}));
+  // two that meet each other, and one that flies away
+  for (const double side : {-1., 1.}) pile.bodies.push_back(fixtures::lone_particle(spacing, {0, 0.03 + side * 1.885 * spacing, 0}, {0, -side * speed, 0}));
+  pile.bodies.push_back(fixtures::lone_particle(spacing, {0, -0.03, 0}, {0, 0, speed}));
+  const auto bodies = pile.contacts();
+  ShortRange contact(pile.law, bodies);
+  AllPairs expected;
+  for (int step = 0; step < 60; ++step) {
+    CAPTURE(step);
+    pile.clear_forces();
+    contact.add_forces(bodies, dt), expected.evaluate(pile, dt);
+    CHECK(contact.contacts() == expected.contacts);
+    CHECK(difference(pile, expected) <= 1e-10);
+    const auto lists = contact.near_pairs().times_made();
+    if (step == 0) CHECK(expected.contacts == 0);
+    if (step < 30) CHECK(lists == 1);
+    if (step == 29)  // all but the last are in contact
+      for (std::size_t b = 1; b <= 5; ++b) CHECK(norm(expected.force[b][pile.bodies[b].particles.slot_of()[0]]) > 0);
+    if (step > 30) CHECK(lists == 2);
+    drift(pile, dt);
+  }
+}
+
+TEST_CASE("short range: a pair with a fast particle, exactly as far apart as lists reach with the common skin, is found") {
+  constexpr double dt = 1e-8, speed = 0.1 * spacing / dt;
+  const Vec3d apart{1.5 * spacing, 2 * spacing, 0};  // 2.5 spacings: two of contact and half of a skin
+  const auto size = fixtures::body({.size = {0.011, 0.011, 0.001}, .spacing = spacing}).particles.size();
+  std::size_t others = 0, in_contact = 0;
+  for (std::size_t which = 0; which < size; ++which) {
+    CAPTURE(which);
+    Pile pile{.law = {}, .bodies = {}};
+    pile.bodies.push_back(fixtures::body({.size = {0.011, 0.011, 0.001}, .spacing = spacing}));
+    const Vec3d target = pile.bodies[0].particles.position.at(pile.bodies[0].particles.slot_of()[which]);
+    pile.bodies.push_back(fixtures::lone_particle(spacing, target + apart, -speed / (2.5 * spacing) * apart + Vec3d{0, 0, 0.03 * speed}));
+    const auto bodies = pile.contacts();
+    ShortRange contact(pile.law, bodies);
+    AllPairs expected;
+    for (int step = 0; step < 12; ++step) {
+      contact.add_forces(bodies, dt), expected.evaluate(pile, dt);
+      others += contact.contacts() != expected.contacts;
+      in_contact += expected.contacts;
+      drift(pile, dt);
+    }
+    CHECK(contact.near_pairs().times_made() == 1);
+  }
+  CHECK(others == 0);
+  CHECK(in_contact > 1000);
+}
+
 TEST_CASE("short range: coincident particles are not repelled, and all values stay finite") {
   Pile pile{.law = {.friction = 0.3}, .bodies = {}};
   pile.bodies.push_back(fixtures::lone_particle(spacing, {}, {1, 0, 0}));

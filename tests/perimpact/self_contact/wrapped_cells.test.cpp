@@ -17,8 +17,8 @@ VectorArray array_of(const std::vector<Vec3d>& points) {
 }  // namespace
 
 TEST_CASE(
-    "wrapped cells: the cell and its neighbours contain all points within an edge, each once, and of those to consider, on lines, in planes and with distant "
-    "points") {
+    "wrapped cells: the cell and its neighbours contain all points within an edge, two rings all within two edges, each once, and of those to consider, on "
+    "lines, in planes and with distant points") {
   std::mt19937_64 random(5);
   struct Scene {
     const char* name;
@@ -53,6 +53,14 @@ TEST_CASE(
         if (std::ranges::count(found, q) != is_within) ++missed;
         if (std::ranges::count(even, q) != (is_within && place % 2 == 0)) ++missed;
       }
+      visited.clear(), found.clear();
+      const auto visit = [&](std::size_t cell) {
+        REQUIRE(visited.insert(cell).second);
+        cells.for_each_within(
+            cell, points[p], 4 * edge * edge, [](std::size_t) { return ~0u; }, [&](std::uint32_t q) { found.push_back(q); });
+      };
+      cells.for_each_around(cells.cell_of(p), visit, 2);
+      for (std::uint32_t q = 0; q < points.size(); ++q) missed += std::ranges::count(found, q) != (norm(points[q] - points[p]) < 2 * edge);
       REQUIRE(missed == 0);
     }
   }
