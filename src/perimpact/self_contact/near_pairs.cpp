@@ -46,7 +46,8 @@ NearPairs::NearPairs(const ShortRangeLaw& law, std::span<const ContactingBody> b
     }
   }
   ranks().max(extremes);
-  longest_ = (1 + 1e-9) * weight_reach * law.distance_ratio * extremes[0];  // so that rounding of searches by packs and cells never decides, but reach_of()
+  // slightly enlarged, so that reach_of() decides in every search, and not the rounding of packs and cells
+  longest_ = (1 + 1e-9) * weight_reach * law.distance_ratio * extremes[0];
   skin_ = skin_ratio * finest;
   // Two fast particles that may meet are within two rings of cells. The limit of three skins keeps lists short beside a much coarser body.
   fast_ = FastParticles(0.5 * skin_, std::min(0.5 * longest_ + skin_, 3 * skin_));
@@ -275,6 +276,7 @@ void NearPairs::make(std::span<const ContactingBody> bodies) {
   is_known_ = true;
 }
 
+/// The near search finds pairs within the common skin; the two criteria exclude each other to the last bit, so that no pair is lost or listed twice.
 void NearPairs::find_far_pairs() {
   const std::span<const FastParticles::Particle> fast = fast_.all();
   std::vector<std::vector<FarPair>> of_fast(fast.size());
