@@ -276,7 +276,7 @@ void NearPairs::make(std::span<const ContactingBody> bodies) {
   is_known_ = true;
 }
 
-/// The near search finds pairs within the common skin; the two criteria exclude each other to the last bit, so that no pair is lost or listed twice.
+/// The near search finds pairs within the common skin; the two criteria exclude each other bitwise, so that no pair is lost or listed twice.
 void NearPairs::find_far_pairs() {
   const std::span<const FastParticles::Particle> fast = fast_.all();
   std::vector<std::vector<FarPair>> of_fast(fast.size());

@@ -108,16 +108,15 @@ struct BodyMemory {
 /// list is rebuilt.
 double rubble_of(const BodySetup& setup, const FragmentContactSetup& fragments) {
   const double dimension = setup.is_plane() ? 2 : 3, of_pair = fragments.friction > 0 ? vector : 0;  // its tangential spring
-  // lattice points within 2.5 and 2 spacings, the reach of the list and of the weight function; and those in pairs with fast particles, which are stored once
-  // more
-  constexpr double with_fast = 0.07;
-  const double listed = (1 + with_fast) * (setup.is_plane() ? 20 : 80) * std::pow((2 * fragments.distance_ratio + 0.5) / 2.5, dimension);
+  // lattice points within 2.5 and 2 spacings, the reach of the list and of the weight function, and those farther away in pairs with fast particles
+  const double within_skin = (setup.is_plane() ? 20 : 80) * std::pow((2 * fragments.distance_ratio + 0.5) / 2.5, dimension);
+  const double far = 0.07 * within_skin, listed = within_skin + far;
   const double near = (setup.is_plane() ? 8 : 26) * std::pow(fragments.distance_ratio, dimension);
   // an eighth more than their pairs has room in the list
   const double pair = 3.25 * slot_number + of_pair, gap = 4 * pair, spare = 0.25 * slot_number,
                kept = 2 * number + of_pair;  // stored once per pair
   const double member = sizeof(NearPairs::Member) + sizeof(PlaceOfMember) + sizeof(MotionOfMember) + sizeof(PairSum) + 14 * number + 6 * slot_number + 3;
-  return listed * (pair + spare) + with_fast / (1 + with_fast) * listed * 2 * slot_number + gap + near / 2 * kept + member;
+  return listed * (pair + spare) + far * 2 * slot_number + gap + near / 2 * kept + member;
 }
 
 /// [bytes] while the stiffest mode of the body is sought, which is done for a given time step that may be unstable (integrate/stiffest_mode.hpp): a copy of
