@@ -120,13 +120,16 @@ class Row:
         return "| " + " | ".join(cells) + " |"
 
 
-def expected_rows(path, prefix, source_of=None, units=None, claims=None):
-    """Rows of a case's expected.csv, the single source of the values it must reproduce; numbers are named prefix + quantity."""
+def expected_rows(path, prefix, source_of=None, units=None, claims=None, ranges=()):
+    """Rows of a case's expected.csv, the single source of the values it must reproduce; numbers are named prefix + quantity. `ranges`: quantities that are to lie
+    anywhere within an interval, which the page then shows in place of a value and its tolerance."""
     rows = []
     for row in read_records(path):
         kind = row["relative_or_absolute"] == "relative"
         bound = Within(float(row["value"]), float(row["tolerance"]), kind)
         quantity = row["quantity"]
+        if quantity in ranges:
+            bound = Between(bound.wanted - bound.allowed, bound.wanted + bound.allowed)
         rows.append(Row((claims or {}).get(quantity, quantity), row["source"], prefix + quantity, (units or {})[quantity], bound, row["reason"]))
     return rows
 

@@ -17,6 +17,7 @@ from pathlib import Path
 from resistance import GRAVITY, ShipInIce, cusps, help_of_fields, net_thrust_factor
 
 STEP = 0.5  # over spacing/√(E/ρ), with ρ of the scaled mass; `perimpact check` accepts up to 0.55 for such decks
+NEEDED = ("length", "beam", "draft", "stem", "waterline", "friction", "thickness", "young", "strength", "compressive_strength", "speed")  # of the command line
 RIM_DAMPING = 6.0  # over the natural frequency of heave of the sheet, at its edge: the layer along the edges that absorbs bending waves
 
 
@@ -136,8 +137,13 @@ def expect_possible(run):
     if run.open_water_speed and not run.bollard_pull:
         refuse("--open-water-speed is given without --bollard-pull, the thrust at zero speed; give both, or neither.")
     for name in ("stem", "waterline"):
-        if not 0 < getattr(run, name) < 90:
-            refuse(f"--{name} is {getattr(run, name):g}, but must be an angle between 0 and 90 degrees.")
+        if not 2 <= getattr(run, name) < 90:
+            refuse(f"--{name} is {getattr(run, name):g}, but must be an angle from 2 to 90 degrees.")
+    if not 1 <= run.fullness <= 4:
+        refuse(f"--fullness is {run.fullness:g}, but must be from 1 to 4.")
+    for name, least in (("strength", 1e3), ("compressive_strength", 1e3), ("young", 1e6)):
+        if getattr(run, name) < least:
+            refuse(f"--{name.replace('_', '-')} is {getattr(run, name):g} Pa, but ice has more than {least:g} Pa; give it in Pa, such as 550e3.")
     if run.layers < 2:
         refuse(f"--layers is {run.layers}, but must be at least 2: one layer does not bend.")
     if 0 < run.astern < run.bow_length:
@@ -246,8 +252,11 @@ def main():
     for field in fields(LevelIceRun):
         if field.name in formulas_alone:
             continue
-        absent = f"; {field.default:g} where absent" if field.default else ""
-        parser.add_argument("--" + field.name.replace("_", "-"), type=type(field.default), default=field.default, help=descriptions[field.name] + absent)
+        needed = field.name in NEEDED
+        absent = "; needed" if needed else f"; {field.default:g} where absent" if field.default else ""
+        parser.add_argument(
+            "--" + field.name.replace("_", "-"), type=type(field.default), required=needed, default=field.default, help=descriptions[field.name] + absent
+        )
     parser.add_argument("--out", type=Path, required=True, help="file of the deck, which must not exist")
     given = vars(parser.parse_args())
     out = given.pop("out")

@@ -7,6 +7,7 @@
 #include <limits>
 #include <numbers>
 #include <optional>
+#include <variant>
 
 #include "cli/contact_bounds_text.hpp"
 #include "cli/remesh_text.hpp"
@@ -61,8 +62,30 @@ std::string body_text(const BodySetup& setup, const Body& body, const std::optio
 
 std::string boundary_conditions_text(const BoundaryConditions& boundary_conditions) {
   std::string text;
-  for (const NamedBoundaryCondition& one : boundary_conditions.all()) text += fmt::format("  {:<18}{}, {} particles\n", one.name, one.kind, one.particles());
+  for (const NamedBoundaryCondition& one : boundary_conditions.all()) {
+    text += fmt::format("  {:<18}{}, {} particles", one.name, one.kind, one.particles());
+    if (const auto* floating = std::get_if<Floating>(&one.boundary))
+      text += fmt::format(
+          "; water level {:.4g} m, {}", floating->water().level,
+          std::isnan(floating->floats_at()) ? "heavier than the water it displaces" : fmt::format("in equilibrium at {:.4g} m", floating->floats_at()));
+    text += '\n';
+  }
   return text;
+}
+
+/// What decides forces of contact, given or by default.
+std::string contact_text(const ContactSetup& contact, bool has_impactors) {
+  const ImpactorContactSetup& impactors = contact.impactors;
+  const FragmentContactSetup& fragments = contact.fragments;
+  std::string text;
+  if (has_impactors)
+    text +=
+        row("impactors", fmt::format("friction {:g}, {}", impactors.friction,
+                                     impactors.crushing_pressure ? fmt::format("material is crushed at {:.4g} Pa", *impactors.crushing_pressure) : "rigid"));
+  if (const auto law = fragments.law.as<FragmentLaw>(); law != FragmentLaw::none)
+    text += row("fragments", fmt::format("{}, friction {:g}, stiffness factor {:g}, restitution {:g}", fragments.law.word(), fragments.friction,
+                                         fragments.stiffness_factor, fragments.restitution));
+  return text.empty() ? "" : "contact\n" + text;
 }
 
 /// Smallest exact critical step of the bodies [s].
@@ -160,7 +183,7 @@ std::string setup_text(const Simulation& simulation) {
   for (const Impactor& impactor : simulation.impactors())
     text += fmt::format("impactor {}\n", impactor.name()) + remesh_text(impactor) + surface_text(impactor.surface().report()) + rigid_body_text(impactor) +
             modes_text(impactor) + hydrostatics_text(impactor) + contact_bounds_text(impactor) + approach_text(simulation, impactor);
-  return text + step_text(simulation);
+  return text + contact_text(simulation.setup().contact, !simulation.impactors().empty()) + step_text(simulation);
 }
 
 Json setup_json(const Simulation& simulation) {

@@ -19,9 +19,8 @@ std::string water_text(const Simulation& simulation, std::size_t body) {
     if (!floating) continue;
     const Water& water = floating->water();
     const double length = characteristic_length(elastic_of(simulation.setup().bodies[body]), size.z, water.density * water.gravity);
-    text +=
-        fmt::format("  {:<18}characteristic length l = {:.4g} m; an entrained depth of l is that of the wave with k = 1/l, 0.64 R that of a patch of radius R",
-                    "water", length);
+    text += fmt::format("  {:<18}characteristic length l = {:.4g} m; entrained depth of a bending wave of wavenumber k: 1/k, of a patch of radius R: 0.64 R",
+                        "water", length);
     text += water.entrained_depth > 0 ? fmt::format("; given: {:.4g} m\n", water.entrained_depth) : "\n";
   }
   return text;

@@ -1,6 +1,6 @@
 """Warnings before a run and at its end."""
 
-from claims import claim, main
+from claims import changed, claim, main
 
 SURFACE = "surface: {cylinder: {diameter: 40 mm, height: 40 mm, axis: z, edge_length: 4 mm}}"
 
@@ -111,9 +111,82 @@ def _(t):
         ["Young's modulus of body plate is 70 Pa, but solids have 1 kPa to 2 TPa. If it is in another unit, append the unit, as in 70 GPa."])
     t.assertEqual(
         of(t, "modulus", (modulus, "youngs_modulus: 191e12")),
-        ["Young's modulus of body plate is 1.91e+14 Pa, but solids have 1 kPa to 2 TPa. If it is in another unit, append the unit, as in 1.91e+11 kPa."])
+        ["Young's modulus of body plate is 1.91e+14 Pa, but solids have 1 kPa to 2 TPa. Check its unit."])
     for plausible in "2 kPa", "1.2 TPa":
         t.assertEqual(of(t, "modulus", (modulus, f"youngs_modulus: {plausible}")), [], plausible)
+
+
+ICE = """\
+title: Sheet
+time: {end: 1 s}
+bodies:
+  sheet:
+    shape: {box: {size: [1.5, 1.5, 0.75]}}
+    position: [0, 0, -0.284 m]
+    spacing: 0.125
+    boundary_conditions: {sea: {floating: {level: 0}}}
+    material: {model: bond-based, youngs_modulus: 3 GPa, density: 900, flexural_strength: 0.5 MPa, plasticity: {compressive_strength: 3 MPa}}
+impactors:
+  ball:
+    surface: {sphere: {diameter: 1, edge_length: 0.2}}
+    position: [2 m, 0, 0]
+    mass: 100
+    velocity: [-1, 0, 0]
+contact:
+  impactors: {crushing_pressure: 3 MPa, friction: 0.1}
+  fragments: {law: repulsive, friction: 0.2}
+"""
+
+
+def of_ice(t, *changes):
+    (t.folder / "ice.yaml").write_text(changed(ICE, *changes))
+    return t.expect_success("check", "ice.yaml", "--out", "r").out
+
+
+@claim("diagnoses: strengths below 1 kPa or above a tenth of Young's modulus yield a warning, those of ice do not")
+def _(t):
+    t.assertEqual(warnings(of_ice(t)), [])
+    flexural, compressive, crushing = "flexural_strength: 0.5 MPa", "{compressive_strength: 3 MPa}", "crushing_pressure: 3 MPa"
+    range_of = "but solids have 1 kPa to a tenth of Young's modulus, 3e+08 Pa here."
+    unit = "If it is in another unit, append the unit, as in {} MPa."
+    t.assertEqual(warnings(of_ice(t, (flexural, "flexural_strength: 0.5"))), [f"The flexural_strength of body sheet is 0.5 Pa, {range_of} {unit.format('0.5')}"])
+    t.assertEqual(warnings(of_ice(t, (compressive, "{compressive_strength: 3 GPa}"))), [f"The compressive_strength of body sheet is 3e+09 Pa, {range_of} Check its unit."])
+    t.assertEqual(
+        warnings(of_ice(t, (crushing, "crushing_pressure: 4"))), [f"The crushing_pressure of the contact with impactors is 4 Pa, {range_of} {unit.format('4')}"])
+    t.assertEqual(warnings(of_ice(t, (crushing, "crushing_pressure: 1 kPa"))), [])
+
+
+@claim("diagnoses: a body that yields before it breaks in bending yields a warning also where a stretch or an energy gives its flexural strength")
+def _(t):
+    flexural = "flexural_strength: 0.5 MPa"
+    for criterion in "critical_stretch: 3e-3", "fracture_energy: 50 kJ/m2":
+        found = warnings(of_ice(t, (flexural, criterion)))
+        t.assertEqual(len(found), 1, criterion)
+        t.assertRegex(found[0], "^The compressive_strength of body sheet is 3e[+]06 Pa, not above its flexural strength of .* Pa, which follows from the stretch")
+    t.assertEqual(warnings(of_ice(t, (flexural, "critical_stretch: 1e-4"))), [])
+
+
+@claim("diagnoses: a body at rest that floats elsewhere than at its level yields a warning with its equilibrium, one that falls does not")
+def _(t):
+    # 900/1025 of 0.75 m are under water: the middle is 0.2835 m below the level
+    place = "position: [0, 0, -0.284 m]"
+    above = of_ice(t, (place, "position: [0, 0, 0]"))
+    t.assertEqual(warnings(above), ["The water level of sheet.sea is 0 m, but in its position the body floats at a level of 0.2835 m: it will heave. Move the body by -0.2835 m "
+                                    "in z, or give it level: 0.2835."])  # fmt: skip
+    t.assertIn("water level 0 m, in equilibrium at 0.2835 m\n", above)
+    t.assertEqual(warnings(of_ice(t, (place, "position: [0, 0, -0.2985 m]"))), [])  # by 2 % of its thickness
+    t.assertEqual(len(warnings(of_ice(t, (place, "position: [0, 0, -0.2986 m]")))), 1)
+    t.assertEqual(warnings(of_ice(t, (place, "position: [0, 0, 5 m]\n    velocity: [0, 0, -3 m/s]"))), [])
+    t.assertRegex(warnings(of_ice(t, ("density: 900", "density: 1030")))[0], "^The particles of sheet.sea are heavier than the water that they displace, and sink.")
+
+
+@claim("diagnoses: check prints friction and crushing pressure of the contact, given or by default")
+def _(t):
+    given = of_ice(t)
+    t.assertIn("contact\n  impactors         friction 0.1, material is crushed at 3e+06 Pa\n", given)
+    t.assertIn("  fragments         repulsive, friction 0.2, stiffness factor 15, restitution 1\n", given)
+    contact = ICE[ICE.index("contact:") :]
+    t.assertIn("contact\n  impactors         friction 0, rigid\ntime\n", of_ice(t, (contact, "contact: {fragments: {law: none}}\n")))
 
 
 @claim("diagnoses: a body that may break without contact between its fragments yields a warning, unless the deck chooses the law, also none")

@@ -94,7 +94,7 @@ def _(t):
     (t.folder / "sheet.yaml").write_text(SHEET)
     out = t.expect_success("check", "sheet.yaml", "--out", "c").out
     # D = 1.8e9 8/(12 15/16) = 1.28e9 N m; (1.28e9/(1025 9.81))^(1/4)
-    t.assertIn("  water             characteristic length l = 18.89 m; an entrained depth of l is that of the wave with k = 1/l, 0.64 R that of a patch of radius R; given: 4.5 m\n", out)
+    t.assertIn("  water             characteristic length l = 18.89 m; entrained depth of a bending wave of wavenumber k: 1/k, of a patch of radius R: 0.64 R; given: 4.5 m\n", out)
     # 37 MPa 1e-3^0.22 (1 - sqrt(51.845/270))
     t.assertIn("  yields            at 4.548e+06 Pa in uniaxial compression", out)
     t.expect_success("run", "sheet.yaml", "--out", "first")

@@ -19,6 +19,15 @@ def _(t):
         t.assertAlmostEqual(curve["mean_pressure [Pa]"][k] * curve["contact_area [m2]"][k], force, delta=1e-12 * force + 1e-9)
 
 
+@claim("loads: the face of a particle of a plane body is its spacing times the thickness of the body")
+def _(t):
+    plane = ("spacing: 5 mm", "spacing: 5 mm\n    plane: stress")
+    t.expect_success("run", t.deck(("end: 20 us", "end: 40 us"), plane, ("poissons_ratio: 0.25, ", "")), "--out", "r")
+    areas = table(t.folder / "r/pressure_area/cylinder.csv")["contact_area [m2]"]
+    t.assertAlmostEqual(min(areas) / (0.005 * 0.02), 2, delta=1e-9)  # two particles at first, on either side of the cylinder's lowest line
+    t.assertAlmostEqual(max(areas) / (0.005 * 0.02), round(max(areas) / (0.005 * 0.02)), delta=1e-9)
+
+
 @claim("loads: the spatial curve decreases, and ends at the total force of the peak")
 def _(t):
     # rows as long as the load interval: a horizon of 15 mm at 4886 m/s is 3.07 us, in steps of 0.25 us

@@ -4,8 +4,10 @@
 
 #include <algorithm>
 #include <cmath>
+#include <variant>
 
 #include "base/grouped_sentences.hpp"
+#include "perimpact/boundary_conditions/boundary_conditions.hpp"
 #include "perimpact/diagnostics/diagnosis.hpp"
 #include "perimpact/impactor/may_move.hpp"
 #include "perimpact/impactor/rigid_body_of.hpp"
@@ -104,8 +106,70 @@ void warn_of_modulus(const BodySetup& setup, GroupedSentences& warnings) {
   const double modulus = elastic_of(setup).youngs_modulus;
   if (modulus >= softest && modulus <= stiffest) return;
   warnings.add("modulus", setup.name,
-               fmt::format("Young's modulus of body {} is {:.4g} Pa, but solids have 1 kPa to 2 TPa. If it is in another unit, append the unit, as in {}.",
-                           setup.name, modulus, modulus < softest ? fmt::format("{:.4g} GPa", modulus) : fmt::format("{:.4g} kPa", 1e-3 * modulus)));
+               fmt::format("Young's modulus of body {} is {:.4g} Pa, but solids have 1 kPa to 2 TPa. {}", setup.name, modulus,
+                           modulus < softest ? fmt::format("If it is in another unit, append the unit, as in {:.4g} GPa.", modulus) : "Check its unit."));
+}
+
+std::optional<double> given_compressive_strength(const BodySetup& setup) {
+  const std::optional<PlasticitySetup>& plasticity = setup.elastic().plasticity;
+  return plasticity ? plasticity->compressive_strength : std::nullopt;
+}
+
+/// No solid is stronger than a tenth of its Young's modulus, by theory of its atomic bonds; of 1 kPa are the weakest soils and gels.
+void warn_of_strength(std::string_view of, const std::string& subject, double strength, double modulus, GroupedSentences& warnings) {
+  constexpr double weakest = 1e3, ideal = 0.1;  // [Pa], of the modulus
+  if (strength >= weakest && strength <= ideal * modulus) return;
+  warnings.add("strength", subject,
+               fmt::format("The {} is {:.4g} Pa, but solids have 1 kPa to a tenth of Young's modulus, {:.4g} Pa here. {}", of, strength, ideal * modulus,
+                           strength < weakest ? fmt::format("If it is in another unit, append the unit, as in {:.4g} MPa.", strength) : "Check its unit."));
+}
+
+void warn_of_strengths(const Setup& setup, GroupedSentences& warnings) {
+  double stiffest = 0;
+  for (const BodySetup& body : setup.bodies) {
+    const ElasticSetup& material = body.elastic();
+    const double modulus = elastic_of(body).youngs_modulus;
+    stiffest = std::max(stiffest, modulus);
+    const auto warn = [&](std::string_view name, std::optional<double> strength) {
+      if (strength) warn_of_strength(fmt::format("{} of body {}", name, body.name), body.name, *strength, modulus, warnings);
+    };
+    warn("flexural_strength", material.flexural_strength);
+    warn("compressive_strength", given_compressive_strength(body));
+  }
+  if (const std::optional<double> pressure = setup.contact.impactors.crushing_pressure)
+    warn_of_strength("crushing_pressure of the contact with impactors", "contact", *pressure, stiffest, warnings);
+}
+
+/// As the deck refuses for a given flexural_strength: here that of a given stretch or fracture energy, which depends on horizon and layers.
+void warn_of_yielding_in_bending(const BodySetup& setup, const Body& body, GroupedSentences& warnings) {
+  const std::optional<double> strength = given_compressive_strength(setup);
+  if (!strength || !body.failure || setup.elastic().flexural_strength || body.failure->flexural_strength < *strength) return;
+  warnings.add("bending", body.name,
+               fmt::format("The compressive_strength of body {} is {:.4g} Pa, not above its flexural strength of {:.4g} Pa, which follows from the stretch at "
+                           "which bonds break: it yields before it breaks in bending. Use a larger compressive_strength, or a smaller critical_stretch or "
+                           "fracture_energy.",
+                           body.name, *strength, body.failure->flexural_strength));
+}
+
+/// A body at another level than that of its equilibrium is accelerated from the first step on.
+void warn_of_floating_level(const BodySetup& setup, const Body& body, const BoundaryConditions& conditions, GroupedSentences& warnings) {
+  constexpr double tolerance = 0.02;  // of its height; positions in decks are rounded
+  const double height = extent(body.particles).z;
+  for (const NamedBoundaryCondition& one : conditions.all()) {
+    const auto* floating = std::get_if<Floating>(&one.boundary);
+    if (!floating || setup.velocity.z != 0) continue;  // one that falls or rises is not to be in equilibrium
+    const double level = floating->water().level, equilibrium = floating->floats_at();
+    if (std::isnan(equilibrium))
+      warnings.add("floating", one.name,
+                   fmt::format("The particles of {} are heavier than the water that they displace, and sink. If the body is to float, check its density and "
+                               "that of the water.",
+                               one.name));
+    else if (std::fabs(level - equilibrium) > tolerance * height)
+      warnings.add("floating", one.name,
+                   fmt::format("The water level of {} is {:.4g} m, but in its position the body floats at a level of {:.4g} m: it will heave. Move the body by "
+                               "{:+.4g} m in z, or give it level: {:.4g}.",
+                               one.name, level, equilibrium, level - equilibrium, equilibrium));
+  }
 }
 
 /// From α = ν on, bonds across a compressed specimen never reach their critical stretch (damage.md).
@@ -145,6 +209,7 @@ void warn_of_still_windows(const Setup& setup, std::span<const Impactor> impacto
 std::vector<std::string> warnings_about_bodies(const Setup& setup, std::span<const Body> bodies, std::span<const std::optional<FilledMass>> masses) {
   GroupedSentences warnings;
   for (const BodySetup& body : setup.bodies) warn_of_modulus(body, warnings);
+  warn_of_strengths(setup, warnings);
   for (const Body& body : bodies) warn_of_density(body.name, body.particles.material_density(), warnings);
   for (const ImpactorSetup& impactor : setup.impactors)
     if (impactor.density) warn_of_density(impactor.name, *impactor.density, warnings);
@@ -154,8 +219,15 @@ std::vector<std::string> warnings_about_bodies(const Setup& setup, std::span<con
     warn_of_loose_particles(bodies[b], warnings);
     for (std::string& warning : warnings_of(bodies[b].cracks, bodies[b].name)) warnings.add("cracks", bodies[b].name, std::move(warning));
     warn_of_hardening(setup.bodies[b], warnings);
+    warn_of_yielding_in_bending(setup.bodies[b], bodies[b], warnings);
     warn_of_interpenetration(setup, bodies[b], warnings);
   }
+  return warnings.sentences();
+}
+
+std::vector<std::string> warnings_about_floating(const Setup& setup, std::span<const Body> bodies, std::span<const BoundaryConditions> conditions) {
+  GroupedSentences warnings;
+  for (std::size_t b = 0; b < bodies.size(); ++b) warn_of_floating_level(setup.bodies[b], bodies[b], conditions[b], warnings);
   return warnings.sentences();
 }
 

@@ -4,18 +4,8 @@
 
 namespace perimpact {
 
-namespace {
-
-std::vector<double> squares(std::span<const double> spacings) {
-  std::vector<double> faces;
-  for (const double spacing : spacings) faces.push_back(spacing * spacing);
-  return faces;
-}
-
-}  // namespace
-
-ContactRecord::ContactRecord(const fccda::Surface& surface, std::span<const double> spacings) : panels_(surface, squares(spacings)) {
-  for (const double spacing : spacings) in_contact_.push_back({.face = spacing * spacing});
+ContactRecord::ContactRecord(const fccda::Surface& surface, std::span<const double> faces) : panels_(surface, faces) {
+  for (const double face : faces) in_contact_.push_back({.face = face});
 }
 
 bool ContactRecord::was_in_contact() const {

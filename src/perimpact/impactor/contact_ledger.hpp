@@ -3,7 +3,7 @@
 /// settings do not change them.
 ///
 /// The process curve is the mean pressure over the whole contact while that grows (C. Daley, PERD/CHC Report 7-108, 2004, section 2):
-///   p = F_n/A,   F_n = Σ J_n/T,   A = Σ Δ² over the particles in contact in the interval, each counted once
+///   p = F_n/A,   F_n = Σ J_n/T,   A = Σ Δ² (Δ h in a plane body of thickness h) over the particles in contact in the interval, each counted once
 #pragma once
 
 #include <array>
@@ -33,8 +33,8 @@ class ContactRecord {
     std::vector<double> panel_pressure;  ///< [Pa]
   };
 
-  /// `spacings` [m] of the bodies, in order.
-  ContactRecord(const fccda::Surface& surface, std::span<const double> spacings);
+  /// `faces` [m²] of a particle of each body, in order.
+  ContactRecord(const fccda::Surface& surface, std::span<const double> faces);
 
   void begin_step() { ++steps_; }
   void add(std::size_t body, const fccda::Contact& contact, const fccda::Vec3d& impulse);
@@ -71,7 +71,7 @@ class ContactRecord {
 
  private:
   struct Resolved {  // of one body
-    double face;     // Δ² of a particle [m²]
+    double face;     // of a particle [m²]
     bool ever = false;
     std::size_t contacts = 0;                 // in the open interval
     std::vector<std::size_t> particles = {};  // in contact in it, ascending

@@ -63,10 +63,10 @@ std::optional<PlacedInWater> how_placed(const std::optional<StillWater>& water, 
   return placed;
 }
 
-std::vector<double> spacings_of(std::span<Particles* const> bodies) {
-  std::vector<double> spacings;
-  for (const Particles* particles : bodies) spacings.push_back(particles->spacing());
-  return spacings;
+std::vector<double> faces_of(std::span<Particles* const> bodies) {
+  std::vector<double> faces;
+  for (const Particles* particles : bodies) faces.push_back(particles->spacing() * particles->thickness().value_or(particles->spacing()));
+  return faces;
 }
 
 }  // namespace
@@ -97,7 +97,7 @@ Impactor::Impactor(const ImpactorSetup& setup, const ImpactorContactSetup& conta
       gauges_(gauges_of(setup, *surface_, *body_)),
       water_(water_of(setup)),
       placed_in_water_(how_placed(water_, *body_, *surface_)),
-      record_(*surface_, spacings_of(bodies)) {
+      record_(*surface_, faces_of(bodies)) {
   if (crushes_ && !surface_->is_closed())
     throw SetupError("contact.impactors.crushing_pressure",
                      fmt::format("impactor {} has an open surface, which excludes crushing_pressure; close it, or remove crushing_pressure.", name_));

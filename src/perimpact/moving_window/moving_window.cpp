@@ -183,7 +183,8 @@ void MovingWindow::continue_front(Body& body, long moves) const {
   share.refresh(std::span<double* const>(arrays));
 }
 
-void MovingWindow::expect_clear(Body& body, std::span<const Impactor> impactors, const ImpactorContactSetup& contact, long moves) const {
+void MovingWindow::expect_clear(std::span<Body> bodies, std::span<const Impactor> impactors, const ImpactorContactSetup& contact, long moves) const {
+  Body& body = bodies[body_];
   const int added = std::abs(cells_of(moves)[axis_]);
   for (const Impactor& impactor : impactors) {
     const std::vector<std::size_t> inside = impactor.initial_overlap(body_, ContactParticles(body.particles, contact, {}, 0));
@@ -194,6 +195,28 @@ void MovingWindow::expect_clear(Body& body, std::span<const Impactor> impactors,
           "The moving window of body {} has reached impactor {}: {} particles of new material are inside its surface, or nearer to it than the contact "
           "radius. Start the impactor behind the front, end the run before, or use a body of the whole track without moving_window.",
           name_, impactor.name(), all));
+  }
+  const Lattice& whole = *body.particles.whole_lattice();
+  Vec3d low{}, high{};  // [m] of the cells of new material
+  for (std::size_t c = 0; c < 3; ++c) {
+    const int cells = whole.cells[c], all_from = c == axis_ && moves > 0 ? cells - added : 0, all_to = c == axis_ && moves < 0 ? added : cells;
+    low[c] = whole.origin[c] + (whole.first[c] + all_from - 0.5) * whole.spacing;
+    high[c] = whole.origin[c] + (whole.first[c] + all_to - 0.5) * whole.spacing;
+  }
+  for (std::size_t b = 0; b < bodies.size(); ++b) {
+    if (b == body_) continue;
+    const Particles& others = bodies[b].particles;
+    const auto here = std::ranges::count_if(others.slot_of(), [&](std::uint32_t slot) {
+      const Vec3d at = others.position.at(slot);
+      return at.x > low.x && at.x < high.x && at.y > low.y && at.y < high.y && (whole.thickness || (at.z > low.z && at.z < high.z));
+    });
+    const std::int64_t all = others.share().ranks().sum(static_cast<std::int64_t>(here));
+    if (all > 0)
+      throw fccda::RunError(
+          fmt::format("The moving window of body {} has reached body {}: {} of its particles are where new material begins. Start the body elsewhere, end the "
+                      "run before, or use "
+                      "a body of the whole track without moving_window.",
+                      name_, bodies[b].name, all));
   }
 }
 

@@ -43,8 +43,9 @@ class MovingWindow {
   /// and the second cell behind it. Where a line is damaged there, both are interpolated between the undamaged lines beside it in its layer. New material stays
   /// undeformed and at rest where a whole layer is damaged, and everywhere if fewer than three cells of the window are left of a move. Collective.
   void continue_front(Body& body, long moves) const;
-  /// To be called after a move: throws RunError if new material is inside an impactor, or nearer to it than the contact radius. Collective.
-  void expect_clear(Body& body, std::span<const Impactor> impactors, const ImpactorContactSetup& contact, long moves) const;
+  /// To be called after a move: throws RunError if new material is inside an impactor, or nearer to it than the contact radius, or overlaps particles of
+  /// another body. Collective.
+  void expect_clear(std::span<Body> bodies, std::span<const Impactor> impactors, const ImpactorContactSetup& contact, long moves) const;
   /// A warning if the material at the front was damaged in any move so far.
   std::vector<std::string> warnings() const;
 

@@ -148,6 +148,7 @@ Simulation::Simulation(const Setup& setup, Start start, std::vector<UserForceOnB
   stages_.begin("diagnostics");
   const auto warn = [&](std::vector<std::string> sentences) { std::ranges::move(sentences, std::back_inserter(warnings_)); };
   warn(warnings_about_bodies(setup_, bodies_, filled_masses_));
+  warn(warnings_about_floating(setup_, bodies_, boundary_conditions_));
   warn(warnings_of(initial_penetrations_, setup_, bodies_));
   warn(warnings_about_impactors(setup_, bodies_, impactors_, clock_.dt));
   if (!relaxation_) {
@@ -254,7 +255,7 @@ void Simulation::move_window(MovingWindow& window, long moves) {
   isolate(b, ranks_->join_all(std::span<const std::size_t>(crushed)));
   boundary_conditions_[b].restart_potentials();
   for (Impactor& impactor : impactors_) impactor.forget_distances(b);
-  window.expect_clear(bodies_[b], impactors_, setup_.contact.impactors, moves);
+  window.expect_clear(bodies_, impactors_, setup_.contact.impactors, moves);
   monitors_.renew_balance();
   copy_to_device();
 }

@@ -88,10 +88,10 @@ Stability find_step(const Setup& setup, std::span<Body> bodies, std::span<const 
                                               "at most {:.4g} s, or omit time.step.",
                                               stability.step, stability.step / exact, exact, automatic));
   if (stability.step > safety * own)
-    warnings.push_back(
-        fmt::format("The time step of {:.4g} s is {:.3g} times the estimated stable step ({:.4g} s) and {:.3g} times the lower bound for these bodies{}; it "
-                    "may be unstable. Use at most {:.4g} s.",
-                    stability.step, stability.step / of_bodies, automatic, stability.step / own, fragments ? " with fragments in contact" : "", safety * own));
+    warnings.push_back(fmt::format(
+        "The time step of {:.4g} s is {:.3g} times the estimated stable step ({:.4g} s) and {:.3g} times the largest that is certainly stable "
+        "for these bodies{} ({:.4g} s); it may be unstable. Use at most {:.4g} s.",
+        stability.step, stability.step / automatic, automatic, stability.step / own, fragments ? " with fragments in contact" : "", own, safety * own));
   return stability;
 }
 

@@ -36,10 +36,19 @@ def accepted(t):
     t.assertLess(start, bow + 1)
 
 
-@claim("level ice: the deck of the script's own ship is accepted, and sheets of any thickness are whole numbers of spacings")
+@claim("level ice: no ship and no ice is assumed where their data are not given")
+def needed(t):
+    for n in range(0, len(OPTIONS), 2):
+        if OPTIONS[n] in ("--fullness", "--displacement"):
+            continue
+        said = write(t, *OPTIONS[:n], *OPTIONS[n + 2 :])
+        t.assertEqual(said.returncode, 2)
+        t.assertIn(f"required: {OPTIONS[n]}", said.stderr)
+        t.assertFalse((t.folder / "ship.yaml").exists())
+
+
+@claim("level ice: sheets of any thickness are whole numbers of spacings")
 def whole(t):
-    t.assertEqual(write(t).returncode, 0)
-    t.expect_no_warning("check", "ship.yaml", "--out", "checked")
     for hundredths in range(20, 400):
         text = deck(LevelIceRun(thickness=hundredths / 100), "title", "# heading", "results/r")
         sizes = re.search(r"box: {size: \[(\S+) m, (\S+) m, (\S+) m\]}}\n", text).groups()
@@ -137,7 +146,11 @@ def stem(t):
 def refused(t):
     for change, words in (
         (["--thickness", "0"], "--thickness is 0, but must be positive."),
-        (["--waterline", "95"], "--waterline is 95, but must be an angle between 0 and 90 degrees."),
+        (["--waterline", "95"], "--waterline is 95, but must be an angle from 2 to 90 degrees."),
+        (["--stem", "0.49"], "--stem is 0.49, but must be an angle from 2 to 90 degrees."),  # radians
+        (["--fullness", "9"], "--fullness is 9, but must be from 1 to 4."),
+        (["--strength", "0.55", "--compressive-strength", "3"], "--strength is 0.55 Pa, but ice has more than 1000 Pa; give it in Pa"),
+        (["--young", "3"], "--young is 3 Pa, but ice has more than 1e+06 Pa"),
         (["--compressive-strength", "5e5"], "must exceed --strength"),
         (["--ice", "1030"], "does not float"),
         (["--ahead=-1"], "--ahead is -1, but must be positive."),

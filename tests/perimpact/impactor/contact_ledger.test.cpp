@@ -24,7 +24,7 @@ void push(ContactRecord& record, std::size_t body, std::size_t particle, int pan
 }  // namespace
 
 TEST_CASE("contact record: a known patch of two bodies gives its area, force and mean pressure, each particle counted once") {
-  ContactRecord record(cube(), std::vector<double>{0.1, 0.05});
+  ContactRecord record(cube(), std::vector<double>{0.01, 0.0025});
   for (int step = 0; step < 4; ++step) {
     record.begin_step();
     push(record, 0, 17, 0, 0.5);                  // in every step
@@ -44,7 +44,7 @@ TEST_CASE("contact record: a known patch of two bodies gives its area, force and
 }
 
 TEST_CASE("contact record: the peak keeps time and pressures of the load interval of the largest force, not of the largest impulse") {
-  ContactRecord record(cube(), std::vector<double>{0.1});
+  ContactRecord record(cube(), std::vector<double>{0.01});
   CHECK(record.peak().panel_pressure.empty());
   const auto interval = [&](double end, double duration, int panel, double impulse) {
     record.begin_step();

@@ -423,6 +423,22 @@ TEST_CASE("moving window: a run ends with a sentence where new material would be
   }
 }
 
+TEST_CASE("moving window: a run ends with a sentence where new material would overlap another body") {
+  constexpr int cells = 64, steps = 20;
+  for (const double beyond : {4.0, 20.0}) {  // [spacing] of the nearest particles of another body from the front
+    Setup setup = struck(cells, 0, Model::bond_based, steps);
+    setup.bodies[0].moving_window = window_after(0);
+    BodySetup other = fixtures::body_setup({.size = {4 * spacing, 4 * spacing, 4 * spacing}, .spacing = spacing});
+    other.name = "block", other.position = {-(cells / 2 + 2 + beyond) * spacing, 0, 0};
+    setup.bodies.push_back(other);
+    Simulation simulation(setup);
+    if (beyond > added + 2)
+      CHECK_NOTHROW(fixtures::run(simulation));
+    else
+      CHECK_THROWS_WITH_AS(fixtures::run(simulation), doctest::Contains("The moving window of body body has reached body block: "), fccda::RunError);
+  }
+}
+
 TEST_CASE("moving window: a run ends with a sentence where free material would be put back into a fixed set") {
   constexpr int cells = 64, steps = 20;
   const auto fixed_over = [](double low, double high) {  // [spacing] from the rear, in travel along -x
