@@ -4,7 +4,7 @@
     cases/ship_ice/level_ice.py --length 150 --beam 21.3 --draft 9.5 --stem 30 --waterline 21 --fullness 1.4 --displacement 21655e3 --friction 0.05 \\
         --thickness 1.04 --young 1273e6 --strength 669e3 --compressive-strength 2.49e6 --speed 0.5 --out my_ship.yaml
 
-SI units; angles in degrees. The ship makes its channel at --approach-speed until its full breadth is in the ice, then advances at --speed for --lead-in and for
+SI units; angles in degrees. The ship opens its channel at --approach-speed until its full breadth is in the ice, then advances at --speed for --lead-in and for
 --sample, over which the mean is to be taken. With --bollard-pull it is free in surge and heave, and driven by its net thrust. The rules and their reasons: docs/guide/ship_in_level_ice.md.
 """
 
@@ -37,7 +37,7 @@ class LevelIceRun(ShipInIce):
     ahead: float = 4.0  # ice ahead of the stem, in characteristic lengths; radial cracks must not reach its end
     beside: float = 2.0  # ice on either side of the hull, in characteristic lengths
     astern: float = 0.0  # ice behind the stem, which slides along the hull [m]; the length of the bow where 0
-    approach_speed: float = 1.5  # while the bow makes its channel [m/s]
+    approach_speed: float = 1.5  # while the bow opens its channel [m/s]
     inertial_speed: float = 0.0  # speed at which the ice would have the inertial forces of the run [m/s]: a slower ship has heavier ice, and longer steps
     lead_in: float = 0.0  # travel at the speed of the run before the sample [m]; one characteristic length where 0
     sample: float = 0.0  # travel over which the mean is taken [m]; ten cusps at rest where 0
@@ -169,7 +169,7 @@ def deck(run, title, heading, folder):
     fastest = sqrt(1.2 * run.young / (run.ice * scaling))  # [m/s] √((λ + 2µ)/ρ) at ν = 1/4
     reflection = exp(-RIM_DAMPING * heave * rim / (3 * fastest))  # of that wave (docs/theory/boundary_conditions.md); bending waves are far slower
     reached = run.approach_time
-    motion = f"""motion: {{x: {{times: [0, {reached - 1:.4g}, {reached:.4g}], velocities: [{-run.approach:g}, {-run.approach:g}, {-run.speed:g}]}}}}  # makes its channel, then breaks ice at the speed of the run"""
+    motion = f"""motion: {{x: {{times: [0, {reached - 1:.4g}, {reached:.4g}], velocities: [{-run.approach:g}, {-run.approach:g}, {-run.speed:g}]}}}}  # opens its channel, then breaks ice at the speed of the run"""
     if run.bollard_pull:
         relative = [tenths / 10 for tenths in range(13)]
         speeds = ", ".join(f"{share * run.open_water_speed:.4g}" for share in relative)
