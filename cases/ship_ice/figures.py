@@ -1,7 +1,7 @@
 #!/usr/bin/python3
 """Draws the figures of README.md: figures.py [RESULTS] [--of DECK] [--check FOLDER]
 
-RESULTS: folder of a finished run (default: results/ship_ice). --of: its deck: deck (default); paper, window or window_rigid (with rigid contact), at the paper's four instants.
+RESULTS: folder of a finished run (default: results/ship_ice). --of: its deck: deck (default); paper, window, or window_rigid (75.2 s of window with rigid contact); paper and window_rigid at the paper's four instants.
 --check: folder with the surfaces and contact bounds written by `perimpact check`; then only the bow and its contact bounds are drawn.
 """
 
@@ -12,22 +12,31 @@ import matplotlib
 matplotlib.use("Agg")
 import matplotlib.pyplot as plt  # noqa: E402
 import numpy as np  # noqa: E402
-from measure import history, mean, options, read_vtp, run, series, window_means  # noqa: E402  which makes scripts/results importable
+from measure import bow_length, history, mean, options, read_vtp, report_of, run, series, travel_in_ice, window_means  # noqa: E402  which makes scripts/results importable
 from ship_in_ice import corners_of, draw_damage, draw_scenes  # noqa: E402
 
 HERE = Path(__file__).resolve().parent
 PAPER_TIMES = 18.8, 37.6, 56.4, 75.2  # [s] of figure 19
+WINDOW_TIMES = 18.8, 37.6, 75.2, 112.8  # [s] the full breadth is in the ice from the second on
+
+
+def mean_from(folder, rows):
+    """[s] and its name: where the full breadth of the ship is in the ice, else where the entry of the stem ends."""
+    bow = bow_length(report_of(folder)["setup"]["impactors"]["ship"]["surface"]["hull"])
+    with_full_breadth = rows["time [s]"][travel_in_ice(rows) > bow]
+    return (with_full_breadth[0], "mean at full breadth") if with_full_breadth.size else (4, "mean from 4 s on")
 
 
 def draw_forces(folder, file):
     rows = history(folder)
     time = rows["time [s]"]
+    begin, name_of_mean = mean_from(folder, rows)
     figure, axes = plt.subplots(2, 1, figsize=(10, 6.4), sharex=True)
     for axis, name, words in zip(axes, "xz", ("F_x, resistance", "F_z, upwards")):
         force = rows[f"ship.force_{name} [N]"] / 1e6
         axis.fill_between(time, force, color="#a9c9e0", step="pre", label=f"rows of history.csv, {time[2] - time[1]:.3g} s")
         axis.plot(*window_means(time, force, 1.0), color="#b3312c", linewidth=1.6, label="mean over 1 s")
-        axis.axhline(mean(time[time > 4], force[time > 4]), color="#20506e", linestyle="--", linewidth=1, label="mean from 4 s on")
+        axis.axhline(mean(time[time > begin], force[time > begin]), color="#20506e", linestyle="--", linewidth=1, label=name_of_mean)
         axis.set_ylabel(f"{words} [MN]")
         axis.set_ylim(0, 1.6 * np.percentile(force, 99))
     axes[0].legend(fontsize=9)
@@ -66,7 +75,7 @@ def main():
         draw_bow(given.check, figures / "bow.png")
         return
     end = series(given.results, "sheet")[-1][0]
-    times = PAPER_TIMES if given.of != "deck" else [share * end for share in (0.1, 0.4, 0.7, 1)]
+    times = {"deck": [share * end for share in (0.1, 0.4, 0.7, 1)], "window": WINDOW_TIMES}.get(given.of, PAPER_TIMES)
     prefix = "" if given.of == "deck" else f"{given.of}_"
     draw_scenes(given.results, times, figures / f"{prefix}scenes.png")
     draw_damage(given.results, times, figures / f"{prefix}damage.png")

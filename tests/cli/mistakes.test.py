@@ -200,7 +200,7 @@ def _(t):
 def _(t):
     arguments = ["shape", "hull", "--length", "10", "--breadth", "3", "--draft", "1", "--edge-length", "0.5", "--stem-angle", "30 deg", "--waterline-angle"]
     t.expect_complaint(t.run_program(*arguments, "95 deg"), 2, "--waterline-angle: waterline_angle is \"95 deg\", but it must be above 0 and below 89.95 deg.")
-    t.expect_complaint(t.run_program(*arguments, "1.6"), 2, "--waterline-angle: waterline_angle is 1.6, but it must be above 0 and below 1.57 rad.")
+    t.expect_complaint(t.run_program(*arguments, "1.6"), 2, "--waterline-angle: waterline_angle is 1.6, but it must be above 0 and below 1.57 rad; write degrees with their unit, as in 30 deg.")
     t.expect_complaint(t.run_program(*arguments, "30 deg", "--flare", "70 degrees"), 2, "--flare: flare is \"70 degrees\", but it must be from -30 to 60 deg.")
 
 

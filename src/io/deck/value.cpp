@@ -36,7 +36,7 @@ void refuse_unless_in_range(const YamlNode& node, const Rule& rule, double value
   if (rule.range.contains(value)) return;
   const auto allowed = [&] {
     if (rule.unit == "rad")
-      return node.text.find("deg") != std::string::npos ? in_degrees(rule.range) : in_words(rule.range) + " rad; of degrees append the unit, as in 30 deg";
+      return node.text.find("deg") != std::string::npos ? in_degrees(rule.range) : in_words(rule.range) + " rad; write degrees with their unit, as in 30 deg";
     return in_words(rule.range) + (rule.unit == "degC" ? " degC" : "");  // not what is usual with other units, such as kelvin
   };
   refuse_value(node, rule, fmt::format("it must be {}. {}", allowed(), rule.sentence));

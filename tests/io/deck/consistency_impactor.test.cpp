@@ -164,7 +164,8 @@ TEST_CASE("consistency of impactors: refinement and coarsening are read with uni
 
 TEST_CASE("consistency of impactors: the angle of a refinement is below half a turn, and has a unit") {
   check_refused("refine: {round: {edge_length: 1 mm, angle: 10}}", "10}}",
-                "angle is 10, but it must be above 0 and below 3.141592653589793 rad. Restricts refinement to curved areas: panels are refined until they turn "
+                "angle is 10, but it must be above 0 and below 3.141592653589793 rad; write degrees with their unit, as in 30 deg. Restricts refinement to "
+                "curved areas: panels are refined until they turn "
                 "by at most "
                 "this angle, for example 10 deg, but not below edge_length; creases are refined to edge_length. Where absent, flat areas are refined too.");
 }

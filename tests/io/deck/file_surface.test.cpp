@@ -68,10 +68,10 @@ TEST_CASE("file surface: invalid planes, units and angles are refused at their p
       "file_parts: stem", "stem}",
       "file_parts is stem, but a list is needed, such as [a, b]. Names of the parts of the file to read; all where absent. `perimpact mesh` lists them.");
   check_refused("translate: [1 kg, 0, 0]", "1 kg", "x of translate is \"1 kg\", but that is a mass; write a length, for example 9 mm.");
-  check_refused(
-      "rotate: [0, 0, 90]", "90]",
-      "z of rotate is 90, but it must be from -6.2832 to 6.2832 rad. Rotates the surface about the axes x, y and z through the origin, in this order: "
-      "[90 deg, 0, 0].");
+  check_refused("rotate: [0, 0, 90]", "90]",
+                "z of rotate is 90, but it must be from -6.2832 to 6.2832 rad; write degrees with their unit, as in 30 deg. Rotates the surface about the axes "
+                "x, y and z through the origin, in this order: "
+                "[90 deg, 0, 0].");
 }
 
 TEST_CASE("file surface: full turns in both directions are valid angles") {

@@ -115,7 +115,8 @@ TEST_CASE("mistakes: a range has its unit where the value may be in another one"
   };
   CHECK(of_ice("friction_angle: 30 deg").empty());
   CHECK(of_ice("friction_angle: 85 deg").find("friction_angle is \"85 deg\", but it must be from 0 to 80.21 deg. ") != std::string::npos);
-  CHECK(of_ice("friction_angle: 80").find("friction_angle is 80, but it must be from 0 to 1.4 rad. ") != std::string::npos);
+  CHECK(of_ice("friction_angle: 80").find("friction_angle is 80, but it must be from 0 to 1.4 rad; write degrees with their unit, as in 30 deg. ") !=
+        std::string::npos);
   CHECK(complaint(plate_with("{model: ordinary-state, youngs_modulus: 191 GPa, poissons_ratio: 0.25, density: 8000}",
                              "{model: bond-based, density: 900, ice: {temperature: 263 K, salinity: 5}}"))
             .empty());
