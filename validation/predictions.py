@@ -31,8 +31,8 @@ def predictions(numbers):
     force, time = plastic_sphere(10e6)
     stopped = numbers["ice_specimens.ball time over plastic sphere"] * plastic_sphere(1e6 * numbers["ice_specimens.ball crushing pressure"])[1]
     found = [
-        Prediction("icebreaker without friction, mean resistance over 116 m at the full breadth", "Lindqvist's formula, at rest", numbers["ship.window, mean"], "MN", Within(resistance(), 0.25, True)),
-        Prediction("the same from first contact on, over 173 m, of which a third is the entry of the bow", "the same", numbers["ship.window, mean from first contact"], "MN", Within(resistance(), 0.25, True)),
+        Prediction("icebreaker without friction, mean resistance with its full breadth in the ice", "Lindqvist's formula, at rest", numbers["ship.window, mean"], "MN", Within(resistance(), 0.25, True)),
+        Prediction(f"the same from first contact on, over {numbers['ship.window, travel']:.0f} m, with the entry of the bow", "the same", numbers["ship.window, mean from first contact"], "MN", Within(resistance(), 0.25, True)),
         Prediction("size of its floes, median by mass", "plates on water: a split sheet breaks 6 to 9 m ahead", numbers["ship.window, median floe"], "m", Within(7.5, 1.5)),
         Prediction("dominant period of its load, full breadth", "floes of this size at 3 knots", numbers["ship.window, period"], "s", Within(5, 1)),
         Prediction("ball of ice of 1 m on a plate, 20 m/s: largest force", "plastic sphere at 10 MPa", 1e6 * numbers["ice_specimens.ball force"], "MN", Within(force, 0.1, True)),

@@ -99,7 +99,7 @@ def rows():
         Row("the same with a friction of 0.1", "between all friction down the buttocks and none", "ratio, friction", "", Between(lowest, 1 / math.tan(STEM)), "µ rotates the force by at most atan µ"),
         Row("vertical force on the bow that breaks a sheet cut along the track", "two corners of a plate on water: Westergaard 1926", "split", "MN", Within(corner_load(), 0.15, True), "a semi-empirical static formula; spacing of a third of the thickness"),
         Row("largest vertical force while the whole sheet breaks: four layers over three", "independent of the resolution", "entry, four layers", "", Within(1, 0.05), "strength of a strip of three and of four layers"),
-        Row("energy balance error of 173 m of travel over the work of the ship", "energy is conserved", "window, energy", "%", AtMost(0.01), "second order of the step, with friction in rubble"),
+        Row("energy balance error of the run in the window over the work of the ship", "energy is conserved", "window, energy", "%", AtMost(0.01), "second order of the step, with friction in rubble"),
         Row("the paper's time step is refused (exit code)", "stability of the lattice", "refused", "count", Exactly(2), "an unstable run is useless"),
         Row("its ratio to the critical step of the sheet", "above 7.2 of the infinite lattice, times √1.32 of the bending calibration", "times", "", AtLeast(7.2 * math.sqrt(1.32)), "the surface correction of three layers stiffens the highest mode"),
     ]  # fmt: skip

@@ -100,6 +100,11 @@ void warn_of_surfaces(const Setup& setup, std::span<const Body> bodies, std::spa
   }
 }
 
+/// What to do about a number outside its range: one that is too small was probably meant in the larger `unit`.
+std::string advice_on_unit(bool is_too_small, double number, std::string_view unit) {
+  return is_too_small ? fmt::format("If it is in another unit, append the unit, as in {:.4g} {}.", number, unit) : "Check its unit.";
+}
+
 /// Gels have some kPa, diamond 1.2 TPa.
 void warn_of_modulus(const BodySetup& setup, GroupedSentences& warnings) {
   constexpr double softest = 1e3, stiffest = 2e12;  // [Pa]
@@ -107,7 +112,7 @@ void warn_of_modulus(const BodySetup& setup, GroupedSentences& warnings) {
   if (modulus >= softest && modulus <= stiffest) return;
   warnings.add("modulus", setup.name,
                fmt::format("Young's modulus of body {} is {:.4g} Pa, but solids have 1 kPa to 2 TPa. {}", setup.name, modulus,
-                           modulus < softest ? fmt::format("If it is in another unit, append the unit, as in {:.4g} GPa.", modulus) : "Check its unit."));
+                           advice_on_unit(modulus < softest, modulus, "GPa")));
 }
 
 std::optional<double> given_compressive_strength(const BodySetup& setup) {
@@ -121,7 +126,7 @@ void warn_of_strength(std::string_view of, const std::string& subject, double st
   if (strength >= weakest && strength <= ideal * modulus) return;
   warnings.add("strength", subject,
                fmt::format("The {} is {:.4g} Pa, but solids have 1 kPa to a tenth of Young's modulus, {:.4g} Pa here. {}", of, strength, ideal * modulus,
-                           strength < weakest ? fmt::format("If it is in another unit, append the unit, as in {:.4g} MPa.", strength) : "Check its unit."));
+                           advice_on_unit(strength < weakest, strength, "MPa")));
 }
 
 void warn_of_strengths(const Setup& setup, GroupedSentences& warnings) {
