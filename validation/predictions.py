@@ -7,7 +7,7 @@ from runner import ROOT, script_of
 from topics.ship import resistance
 
 UIKKU = ROOT / "cases/uikku_ice"
-TARGETED = ("103", "104", "205", "302")  # in thin ice at higher speed, test 403, the sheet may buckle
+REPORTED_APART = "403"  # of MT Uikku: thin ice at a higher speed, which may buckle
 
 
 @dataclass(frozen=True)
@@ -17,12 +17,14 @@ class Prediction:
     value: float
     unit: str
     target: Within
+    has_target: bool = True  # else the reference is its value, and the result is reported apart
 
     def line(self):
         """Of the page's table."""
         difference = f"{100 * (self.value / self.target.wanted - 1):+.0f} %".replace("-", "−")
-        verdict = "met" if self.target.holds(self.value) else "**not met**"
-        return f"| {self.subject} | {self.reference} | {shown(self.value, self.unit)} | {self.target.text(self.unit)} | {difference} | {verdict} |"
+        verdict = "no target" if not self.has_target else "met" if self.target.holds(self.value) else "**not met**"
+        target = self.target.text(self.unit) if self.has_target else shown(self.target.wanted, self.unit)
+        return f"| {self.subject} | {self.reference} | {shown(self.value, self.unit)} | {target} | {difference} | {verdict} |"
 
 
 def predictions(numbers):
@@ -42,10 +44,11 @@ def predictions(numbers):
     measured = {row["test"]: 1e3 * float(row["resistance [kN]"]) for row in read_records(UIKKU / "measured.csv")}
     ratios = []
     for row in read_records(UIKKU / "results.csv"):
-        if row["test"] in TARGETED:
-            ratios.append(float(row["mean F_x [N]"]) / measured[row["test"]])
-            target = Within(measured[row["test"]], 0.3, True)
-            found.append(Prediction(f"MT Uikku, model test {row['test']}, mean resistance", "Hu and Zhou (2016)", float(row["mean F_x [N]"]), "MN", target))
+        test, mean = row["test"], float(row["mean F_x [N]"])
+        has_target = test != REPORTED_APART
+        if has_target:
+            ratios.append(mean / measured[test])
+        found.append(Prediction(f"MT Uikku, model test {test}, mean resistance", "Hu and Zhou (2016)", mean, "MN", Within(measured[test], 0.3, True), has_target))
     found.append(Prediction(f"MT Uikku, mean of run over measured, {len(ratios)} tests", "Hu and Zhou (2016)", sum(ratios) / len(ratios), "", Within(1, 0.2, True)))
     return found
 

@@ -12,7 +12,7 @@ import matplotlib
 matplotlib.use("Agg")
 import matplotlib.pyplot as plt  # noqa: E402
 import numpy as np  # noqa: E402
-from measure import bow_length, history, mean, options, read_vtp, report_of, run, series, travel_in_ice, window_means  # noqa: E402  which makes scripts/results importable
+from measure import begin_of_full_breadth, history, mean, options, read_vtp, report_of, run, series, travel_in_ice, window_means  # noqa: E402  which makes scripts/results importable
 from ship_in_ice import corners_of, draw_damage, draw_scenes  # noqa: E402
 
 HERE = Path(__file__).resolve().parent
@@ -20,17 +20,16 @@ PAPER_TIMES = 18.8, 37.6, 56.4, 75.2  # [s] of figure 19
 WINDOW_TIMES = 42.3, 65.8, 89.3, 112.8  # [s] with the full breadth in the ice
 
 
-def mean_from(folder, rows):
+def mean_from(folder):
     """[s] and its name: where the full breadth of the ship is in the ice, else where the entry of the stem ends."""
-    bow = bow_length(report_of(folder)["setup"]["impactors"]["ship"]["surface"]["hull"])
-    with_full_breadth = rows["time [s]"][travel_in_ice(rows) > bow]
-    return (with_full_breadth[0], "mean at full breadth") if with_full_breadth.size else (4, "mean from 4 s on")
+    begin = begin_of_full_breadth(folder)
+    return (4, "mean from 4 s on") if begin is None else (begin, "mean at full breadth")
 
 
 def draw_forces(folder, file):
     rows = history(folder)
     time = rows["time [s]"]
-    begin, name_of_mean = mean_from(folder, rows)
+    begin, name_of_mean = mean_from(folder)
     figure, axes = plt.subplots(2, 1, figsize=(10, 6.4), sharex=True)
     for axis, name, words in zip(axes, "xz", ("F_x, resistance", "F_z, upwards")):
         force = rows[f"ship.force_{name} [N]"] / 1e6

@@ -88,6 +88,13 @@ def bow_length(hull):
     return curve_of_bow(hull)[0] - arc_of_stem(hull)[0]
 
 
+def begin_of_full_breadth(folder):
+    """[s] from which the full breadth of the ship is in the ice; None if the run ends before."""
+    rows, hull = history(folder), report_of(folder)["setup"]["impactors"]["ship"]["surface"]["hull"]
+    with_full_breadth = rows["time [s]"][travel_in_ice(rows) > bow_length(hull)]
+    return with_full_breadth[0] if with_full_breadth.size else None
+
+
 def breadth_of_waterline(hull, behind):
     """[m] that far behind the stem [m]; 0 ahead of it."""
     behind, (ahead, arc), radius = np.asarray(behind, dtype=float), arc_of_stem(hull), hull.get("stem_radius") or 0

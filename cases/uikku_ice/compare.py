@@ -11,7 +11,7 @@ import re
 from decks import HERE, ship_in, tests  # which makes ../ship_ice importable
 from measure import history, options, records, refuse, report_of, run  # which makes scripts/results importable
 from resistance import iso_19906, lindqvist, riska
-from window import load_statistics, sizes_of_floes
+from long_run import load_statistics, sizes_of_floes
 
 RESULTS = "results.csv"
 

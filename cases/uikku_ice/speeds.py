@@ -17,7 +17,7 @@ from compare import cell, write_rows  # noqa: E402
 from decks import FREE, HERE, free_ship  # noqa: E402  which makes ../ship_ice importable
 from measure import history, mean, options, records, refuse, report_of, run  # noqa: E402  which makes scripts/results importable
 from resistance import held_speed, lindqvist, net_thrust, riska  # noqa: E402
-from window import load_statistics  # noqa: E402
+from long_run import load_statistics  # noqa: E402
 
 SPEEDS = "speeds.csv"
 FORMULAS = (("Lindqvist", lindqvist), ("Riska", riska))

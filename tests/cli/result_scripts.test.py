@@ -16,8 +16,8 @@ from claims import DECK, claim, main  # noqa: E402
 COUPLED = {"hull_panel/bar.py", "hull_panel/impacts.py", "hull_panel/solid.py"}  # need dolfinx or the package of Python
 ONE_FOLDER = ["crack_branching/figures", "crack_branching/measure", "floating_strip/figure", "floating_strip/measure", "ice_paddle/figure", "ice_specimens/figures",
               "ice_specimens/measure", "ice_sphere/figures", "ice_sphere/measure", "kalthoff_winkler/figures", "kalthoff_winkler/measure", "plate_impact/table",
-              "propeller_ice/figures", "propeller_ice/measure", "propeller_ice/table", "ship_ice/compare", "ship_ice/contributions", "ship_ice/figures", "ship_ice/measure",
-              "ship_ice/order_of_cracks", "ship_ice/window", "submarine_surfacing/figures", "submarine_surfacing/measure", "uikku_ice/clearing", "uikku_ice/compare",
+              "propeller_ice/figures", "propeller_ice/measure", "propeller_ice/table", "ship_ice/compare", "ship_ice/contributions", "ship_ice/figures",
+              "ship_ice/long_run", "ship_ice/measure", "ship_ice/order_of_cracks", "submarine_surfacing/figures", "submarine_surfacing/measure", "uikku_ice/clearing", "uikku_ice/compare",
               "uikku_ice/figures", "uikku_ice/speeds"]  # fmt: skip
 
 

@@ -10,7 +10,7 @@ TITLE = "An icebreaker's bow"
 LONG = False
 DECK = "cases/ship_ice/deck.yaml"
 STEM = math.radians(24)
-WINDOW = ROOT / "cases/ship_ice/window.csv"  # of a run of three hours (cases/ship_ice/window.py)
+WINDOW = ROOT / "cases/ship_ice/window.csv"  # of a run of three hours (cases/ship_ice/long_run.py)
 ENTRY = "time.end=2.1 s", "output={frames: 0, history_interval: 0.05 s}"
 CUT = "bodies.sheet.cracks={track: {polygon: [[-31, 0, -2], [31, 0, -2], [31, 0, 2], [-31, 0, 2]]}}", *ENTRY
 SHEET = "bodies.sheet"

@@ -156,7 +156,7 @@ def _(t):
     import numpy as np
     from measure import history, travel_in_ice
     from results_folder import Missing
-    from window import sizes_of_floes
+    from long_run import sizes_of_floes
 
     (t.folder / "fragments").mkdir()
     (t.folder / "history.csv").write_text("time [s],ship.position_x [m],ship.bow.force_x [N]\n0,0,0\n1,-2,0\n")

@@ -1,7 +1,7 @@
 #!/usr/bin/python3
-"""Measures a run of window.yaml: window.py RESULTS
+"""Measures a run that is long enough for a mean: long_run.py RESULTS [--table NAME]
 
-Writes window.csv: the mean of F_x on the ship with its standard error (`perimpact statistics`) from first contact to the end and from where the full breadth
+Writes a table beside this script: the mean of F_x on the ship with its standard error (`perimpact statistics`) from first contact to the end and from where the full breadth
 of the ship is in the ice, the dominant period, the load peaks of measure.py, the energy balance, and the size of the floes in the window at the end.
 """
 
@@ -9,11 +9,10 @@ import csv
 from pathlib import Path
 
 import numpy as np
-from measure import bow_length, history, options, records, refuse, report_of, run, times_of_loads, travel_in_ice  # which makes scripts/results importable
+from measure import begin_of_full_breadth, history, options, records, refuse, report_of, run, times_of_loads, travel_in_ice  # which makes scripts/results importable
 from load_statistics import load_statistics
 
 HERE = Path(__file__).resolve().parent
-TABLE = HERE / "window.csv"
 
 
 def sizes_of_floes(folder):
@@ -29,13 +28,14 @@ def sizes_of_floes(folder):
 
 
 def measure(folder):
-    """The rows of window.csv."""
-    rows, hull = history(folder), report_of(folder)["setup"]["impactors"]["ship"]["surface"]["hull"]
+    """Values of the table by their names."""
+    rows = history(folder)
     time, force, way = rows["time [s]"], rows["ship.force_x [N]"], travel_in_ice(rows)
-    if way[-1] <= bow_length(hull):
-        refuse(f"{folder} ends after {way[-1]:.1f} m, before the bow of {bow_length(hull):.1f} m is in the ice. Continue the run with --resume.")
+    full_breadth = begin_of_full_breadth(folder)
+    if full_breadth is None:
+        refuse(f"{folder} ends after {way[-1]:.1f} m, before the bow is in the ice. Continue the run with --resume.")
     numbers = {"travel [m]": way[-1], "end [s]": time[-1]}
-    for name, begin in (("whole", time[way > 0][0]), ("full breadth", time[way > bow_length(hull)][0])):
+    for name, begin in (("whole", time[way > 0][0]), ("full breadth", full_breadth)):
         found, late = load_statistics(folder, "ship.force_x", f"{begin:.2f}"), time >= begin
         peaks = times_of_loads(time[late], force[late])
         numbers |= {
@@ -59,8 +59,11 @@ def measure(folder):
 
 
 def main():
-    numbers = measure(options(__doc__).parse_args().results)
-    with open(TABLE, "w", newline="", encoding="utf-8") as lines:
+    arguments = options(__doc__)
+    arguments.add_argument("--table", default="window.csv", help="window.csv (default); paper.csv of paper.yaml, paper_layers_4.csv of the same with four layers")
+    given = arguments.parse_args()
+    numbers = measure(given.results)
+    with open(HERE / given.table, "w", newline="", encoding="utf-8") as lines:
         writer = csv.writer(lines, lineterminator="\n")
         writer.writerow(["quantity", "value"])
         writer.writerows([name, f"{value:.6g}"] for name, value in numbers.items())
