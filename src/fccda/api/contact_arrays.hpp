@@ -11,20 +11,26 @@
 
 namespace fccda {
 
-/// Visitor of Swept::visit_state that copies it into a struct.
+/// Visitor of a detector's state that copies it into a struct.
 struct StateReader {
   ContactDetector::State& state;
   void operator()(std::string_view name, const std::vector<std::uint64_t>& numbers) const {
     (name == "points_inside" ? state.inside : state.in_contact) = numbers;
   }
-  void operator()(std::string_view name, const std::uint64_t& number) const { (name == "entered_inside" ? state.entered : state.renumbered) = number; }
+  void operator()(std::string_view, const std::uint64_t& renumbered) const { state.renumbered = renumbered; }
 };
 
-/// Visitor that writes it from a struct.
+/// Visitors that write state and record of a detector from a struct.
 struct StateWriter {
   const ContactDetector::State& state;
   void operator()(std::string_view name, std::vector<std::uint64_t>& numbers) const { numbers = name == "points_inside" ? state.inside : state.in_contact; }
-  void operator()(std::string_view name, std::uint64_t& number) const { number = name == "entered_inside" ? state.entered : state.renumbered; }
+  void operator()(std::string_view, std::uint64_t& renumbered) const { renumbered = state.renumbered; }
+};
+struct RecordWriter {
+  const ContactDetector::State& state;
+  void operator()(std::string_view name, std::uint64_t& count) const {
+    if (name == "entered_inside") count = state.entered;
+  }
 };
 
 /// The arrays that respond() modifies, as PointsInContact.

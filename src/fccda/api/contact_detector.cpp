@@ -60,12 +60,14 @@ std::vector<Contact> ContactDetector::contacts_of(const P& points, const Motion&
 ContactDetector::State ContactDetector::state() const {
   State state;
   swept_.visit_state(StateReader{state});
+  state.entered = swept_.entered_inside();
   return state;
 }
 
 void ContactDetector::resume(const State& state) {
   expect_ordered(state);
   swept_.visit_state(StateWriter{state});
+  swept_.visit_record(RecordWriter{state});
   swept_.forget();
   radii_.forget();
 }

@@ -59,12 +59,14 @@ std::vector<std::size_t> DeformingContactDetector::points_inside(ConstVectors x,
 ContactDetector::State DeformingContactDetector::state() const {
   ContactDetector::State state;
   detector_.visit_state(StateReader{state});
+  state.entered = detector_.entered_inside();
   return state;
 }
 
 void DeformingContactDetector::resume(const ContactDetector::State& state) {
   expect_ordered(state);
   detector_.visit_state(StateWriter{state});
+  detector_.visit_record(RecordWriter{state});
   detector_.forget();
   radii_.forget();
 }

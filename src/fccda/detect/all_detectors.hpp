@@ -7,8 +7,8 @@
 ///   nearest_outside(places, pose)                 relocated positions of such points
 ///   moved(point), forget()                        invalidate cached distances
 ///   effort()                                      work done so far
-///   visit_state(visitor)                          what the next step depends on (base/state.hpp)
-///   visit_record(visitor)                         statistics only: effort()
+///   visit_state(visitor)                          what the next step depends on (base/state.hpp); lists are of numbers of points
+///   visit_record(visitor)                         counts: effort(), entries
 #pragma once
 
 #include <variant>

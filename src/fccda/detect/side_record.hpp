@@ -45,20 +45,24 @@ class SideRecord {
   void press(std::size_t point);                                       ///< the point counts as in contact
   void renumber();                                                     ///< the points were renumbered: all records of single ones are lost
 
-  /// Calls visit(name, list of numbers or number); the visitor may write (base/state.hpp).
+  /// Calls visit(name, list of points or number); the visitor may write (base/state.hpp).
   template <class Self, class Visitor>
   static void visit_state(Self& self, Visitor& visit) {
     visit(std::string_view("points_inside"), self.entered_);
-    visit(std::string_view("entered_inside"), self.entered_count_);
     visit(std::string_view("points_in_contact"), self.in_contact_);
     visit(std::string_view("renumbered"), self.renumbered_);
+  }
+  /// The same for what is only counted.
+  template <class Visitor>
+  void visit_record(Visitor& visit) {
+    visit(std::string_view("entered_inside"), entered_count_);
   }
 
  private:
   static bool contains(const std::vector<std::uint64_t>& numbers, std::size_t point) { return std::binary_search(numbers.begin(), numbers.end(), point); }
 
   std::vector<std::uint64_t> entered_;  // points that entered where contact is ignored: state
-  std::uint64_t entered_count_ = 0;     // state
+  std::uint64_t entered_count_ = 0;
   // Recorded for open surfaces only: points in contact in the previous step, and in this step so far. The latter is state.
   std::vector<std::uint64_t> in_contact_before_, in_contact_;
   std::uint64_t renumbered_ = 0;  // state

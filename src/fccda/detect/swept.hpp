@@ -153,10 +153,11 @@ class Swept final : public SlidingSurface {
     SideRecord::visit_state(sides_, visit);
   }
 
-  /// The same for statistics, which depend on the cached distances.
+  /// The same for counts, some of which depend on the cached distances.
   template <class Visitor>
   void visit_record(Visitor&& visit) {
     effort_.visit(visit);
+    sides_.visit_record(visit);
   }
 
  private:

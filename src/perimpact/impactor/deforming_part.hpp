@@ -11,6 +11,7 @@
 #include "fccda/elastic/elastic_body.hpp"
 #include "fccda/elastic/external_structure.hpp"
 #include "fccda/elastic/structure_coupling.hpp"
+#include "perimpact/particles/shared_numbers.hpp"
 
 namespace perimpact {
 
@@ -45,11 +46,17 @@ class DeformingPart {
   template <class Visitor>
   void visit_state(Visitor&& visit) {
     if (const auto* modes = std::get_if<std::unique_ptr<fccda::ElasticBody>>(&structure_)) (*modes)->visit_state(visit), follow(**modes);
-    for (std::size_t b = 0; b < detectors_.size(); ++b) detectors_[b].visit_state(fccda::under(std::to_string(b) + ".deforming", visit));
+    for (std::size_t b = 0; b < detectors_.size(); ++b) {
+      const auto its = fccda::under(std::to_string(b) + ".deforming", visit);
+      detectors_[b].visit_state(of_detector(b, its));
+    }
   }
   template <class Visitor>
   void visit_record(Visitor&& visit) {
-    for (std::size_t b = 0; b < detectors_.size(); ++b) detectors_[b].visit_record(fccda::under(std::to_string(b) + ".deforming", visit));
+    for (std::size_t b = 0; b < detectors_.size(); ++b) {
+      const auto its = fccda::under(std::to_string(b) + ".deforming", visit);
+      detectors_[b].visit_record(of_counts(its));
+    }
   }
 
  private:

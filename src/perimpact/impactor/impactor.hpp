@@ -24,6 +24,7 @@
 #include "perimpact/impactor/gauges_of.hpp"
 #include "perimpact/impactor/remeshed.hpp"
 #include "perimpact/impactor/surface_of.hpp"
+#include "perimpact/particles/shared_numbers.hpp"
 
 namespace perimpact {
 
@@ -205,7 +206,7 @@ class Impactor {
     if (water_) its("work_of_water", water_work_);
     for (std::size_t b = 0; b < detectors_.size(); ++b) {
       auto of_body = fccda::under(std::to_string(b), its);
-      std::visit([&](auto& detector) { detector.visit_state(of_body); }, detectors_[b]);
+      std::visit([&](auto& detector) { detector.visit_state(of_detector(b, of_body)); }, detectors_[b]);
       of_body("unresolved_penetrations", unresolved_[b].count);
       of_body("first_unresolved_penetration", unresolved_[b].first);
     }
@@ -215,8 +216,10 @@ class Impactor {
   template <class Visitor>
   void visit_record(Visitor&& visit) {
     auto its = fccda::under(name_, visit);
-    for (std::size_t b = 0; b < detectors_.size(); ++b)
-      std::visit([&](auto& detector) { detector.visit_record(fccda::under(std::to_string(b), its)); }, detectors_[b]);
+    for (std::size_t b = 0; b < detectors_.size(); ++b) {
+      const auto of_body = fccda::under(std::to_string(b), its);
+      std::visit([&](auto& detector) { detector.visit_record(of_counts(of_body)); }, detectors_[b]);
+    }
     if (deforming_) deforming_->visit_record(its);
     auto account = fccda::under("account", its);
     fccda::visit_vector(account, "impulse", account_.impulse);

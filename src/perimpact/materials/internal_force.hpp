@@ -5,6 +5,7 @@
 
 #include "base/typelist.hpp"
 #include "perimpact/materials/all_materials.hpp"
+#include "perimpact/particles/shared_numbers.hpp"
 #include "perimpact/particles/sum_over_eights.hpp"
 
 namespace perimpact {
@@ -85,7 +86,7 @@ class InternalForce {
 
   template <class Visitor>
   void visit_state(const std::string& name, Visitor&& visit) {
-    visit(name + ".broken_ends_of_eight", std::span<std::uint32_t>(sums_.broken_ends));
+    visit(name + ".broken_ends_of_eight", SumsSinceBeginning(std::span<std::uint32_t>(sums_.broken_ends)));
     std::visit(
         [&](auto& force) {
           if constexpr (requires { force.visit_state(name, visit); }) force.visit_state(name, visit);
@@ -105,7 +106,7 @@ class InternalForce {
   /// Accumulated energies; they do not affect any step.
   template <class Visitor>
   void visit_record(const std::string& name, Visitor&& visit) {
-    visit(name + ".fracture_energy_of_eight", std::span<double>(sums_.fracture_energy));
+    visit(name + ".fracture_energy_of_eight", SumsSinceBeginning(std::span<double>(sums_.fracture_energy)));
     std::visit(
         [&](auto& force) {
           if constexpr (requires { force.visit_record(name, visit); }) force.visit_record(name, visit);

@@ -10,12 +10,6 @@ using fccda::byte_lanes;
 
 namespace {
 
-template <class T>
-std::vector<std::byte> bytes_of(const std::vector<T>& numbers) {
-  const auto bytes = std::as_bytes(std::span(numbers));
-  return {bytes.begin(), bytes.end()};
-}
-
 /// The slot of the cell `by` cells from that of a slot; none outside the lattice.
 std::optional<std::size_t> slot_at(const Lattice& lattice, std::size_t slot, const std::array<int, 3>& by) {
   std::array<int, 3> cell = lattice.cell(slot);
@@ -46,39 +40,37 @@ std::optional<std::size_t> MovedState::moved_id(std::size_t id) const {
   return moved ? std::optional(*moved + body_.first_id) : std::nullopt;
 }
 
-std::vector<std::byte> MovedState::list(std::string_view name, const std::vector<std::byte>& from) {
-  const std::string detector = "." + std::to_string(body_.index) + ".";
-  if (name.find(detector) != std::string_view::npos && (name.ends_with(".points_inside") || name.ends_with(".points_in_contact"))) {
-    const Share& share = body_.particles.share();
-    std::vector<std::uint64_t> own = numbers_of<std::uint64_t>(from), points;
-    for (std::uint64_t& point : own) point = share.whole_slot(point);
-    for (const std::uint64_t point : share.ranks().join_all(std::span<const std::uint64_t>(own)))
-      if (const std::optional<std::size_t> moved = target(point))
-        if (const std::optional<std::size_t> slot = share.owned_slot(*moved)) points.push_back(*slot);
-    std::ranges::sort(points);
-    return bytes_of(points);
+std::vector<std::uint64_t> MovedState::points(std::vector<std::uint64_t> from) const {
+  const Share& share = body_.particles.share();
+  for (std::uint64_t& point : from) point = share.whole_slot(point);
+  std::vector<std::uint64_t> owned;
+  for (const std::uint64_t point : share.ranks().join_all(std::span<const std::uint64_t>(from)))
+    if (const std::optional<std::size_t> moved = target(point))
+      if (const std::optional<std::size_t> slot = share.owned_slot(*moved)) owned.push_back(*slot);
+  std::ranges::sort(owned);
+  return owned;
+}
+
+std::vector<std::uint64_t> MovedState::ends_of_pairs(std::span<const std::uint64_t> from) {
+  kept_pairs_.clear();
+  std::vector<std::uint64_t> ends;
+  for (std::size_t pair = 0; pair < from.size() / EndsOfPairs::per_pair; ++pair) {
+    const std::optional<std::size_t> i = moved_id(from[2 * pair]), j = moved_id(from[2 * pair + 1]);
+    if (!i || !j) continue;
+    kept_pairs_.push_back(pair);
+    ends.push_back(*i), ends.push_back(*j);
   }
-  if (name == "fragments.pair_ends") {
-    kept_pairs_.clear();
-    std::vector<std::uint64_t> ends;
-    const std::vector<std::uint64_t> before = of_all_ranks<std::uint64_t>(from);
-    for (std::size_t pair = 0; pair < before.size() / 2; ++pair) {
-      const std::optional<std::size_t> i = moved_id(before[2 * pair]), j = moved_id(before[2 * pair + 1]);
-      if (!i || !j) continue;
-      kept_pairs_.push_back(pair);
-      ends.push_back(*i), ends.push_back(*j);
-    }
-    return bytes_of(ends);
+  return ends;
+}
+
+std::vector<double> MovedState::of_kept_pairs(std::span<const double> from, std::size_t per_pair) const {
+  std::vector<double> kept;
+  if (from.empty()) return kept;  // slips without friction
+  for (const std::size_t pair : kept_pairs_) {
+    const std::span<const double> numbers = from.subspan(per_pair * pair, per_pair);
+    kept.insert(kept.end(), numbers.begin(), numbers.end());
   }
-  if (name == "fragments.pair_slips") {
-    const std::vector<double> before = of_all_ranks<double>(from);
-    std::vector<double> slips;
-    if (before.empty()) return {};  // without friction
-    for (const std::size_t pair : kept_pairs_)
-      slips.insert(slips.end(), before.begin() + static_cast<std::ptrdiff_t>(3 * pair), before.begin() + static_cast<std::ptrdiff_t>(3 * pair + 3));
-    return bytes_of(slips);
-  }
-  return from;
+  return kept;
 }
 
 std::size_t MovedState::numbers_of_each_particle(std::string_view name, std::size_t numbers, std::size_t slots) const {

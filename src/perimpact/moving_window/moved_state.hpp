@@ -14,6 +14,7 @@
 #include "base/state.hpp"
 #include "perimpact/family/family.hpp"
 #include "perimpact/particles/particles.hpp"
+#include "perimpact/particles/shared_numbers.hpp"
 
 namespace perimpact {
 
@@ -33,9 +34,8 @@ class CapturedState {
 
 /// A visitor that writes captured arrays back into the simulation, in which the moved body, its boundary conditions and the contact between fragments have been
 /// rebuilt. Arrays over the slots, or over the eights, of this body, and lists of numbers of its particles, take over the values of the cells that its cells
-/// move to; new material keeps its initial values, and pairs and points of discarded material are left out. Sums since the beginning (names that end in
-/// "_of_eight") stay in their eights, so that their totals include what is discarded. All other arrays are restored as they were. Collective: state that comes
-/// from another rank is sent.
+/// move to; new material keeps its initial values, and pairs and points of discarded material are left out. Sums since the beginning stay in their eights.
+/// All other arrays are restored as they were. Collective: state that comes from another rank is sent.
 class MovedState {
  public:
   struct MovedBody {
@@ -52,16 +52,21 @@ class MovedState {
   template <class Values>
   void operator()(std::string_view name, Values&& values) {
     const std::vector<std::byte>& from = captured_.bytes(name);
-    if constexpr (fccda::is_list<std::remove_cvref_t<Values>>) {
-      using T = typename std::remove_cvref_t<Values>::value_type;
-      const std::vector<std::byte> moved = list(name, from);
-      values.resize(moved.size() / sizeof(T));
-      copy(moved, std::as_writable_bytes(std::span(values)));
+    if constexpr (requires { values.body; }) {
+      values.assign(values.body == body_.index ? points(numbers_of<std::uint64_t>(from)) : numbers_of<std::uint64_t>(from));
+    } else if constexpr (std::is_same_v<std::remove_cvref_t<Values>, EndsOfPairs>) {
+      values.assign(ends_of_pairs(of_all_ranks<std::uint64_t>(from)));
+    } else if constexpr (std::is_same_v<std::remove_cvref_t<Values>, NumbersOfPairs>) {
+      values.assign(of_kept_pairs(of_all_ranks<double>(from), values.per_pair));
+    } else if constexpr (fccda::is_list<std::remove_cvref_t<Values>>) {
+      values.resize(from.size() / sizeof(typename std::remove_cvref_t<Values>::value_type));
+      copy(from, std::as_writable_bytes(std::span(values)));
     } else {
       const auto numbers = fccda::numbers_in(values);
       using T = typename decltype(numbers)::value_type;
       if constexpr (requires { values.per_eight; }) {
-        if (values.share == &body_.particles.share() && !name.ends_with("_of_eight")) return eights(name, numbers_of<T>(from), numbers, values.per_eight.each);
+        if (values.share == &body_.particles.share() && values.kind != OfEights::sums)
+          return eights(values.kind, numbers_of<T>(from), numbers, values.per_eight.each);
       } else if constexpr (requires { values.slots; }) {
         if (const std::size_t each = numbers_of_each_particle(name, numbers.size(), values.slots.size()); each != 0)
           return of_particles(numbers_of<T>(from), numbers, values.slots, each);
@@ -82,13 +87,16 @@ class MovedState {
     return body_.particles.share().ranks().join_all(std::span<const T>(numbers_of<T>(own)));
   }
   static void copy(std::span<const std::byte> from, std::span<std::byte> to);
-  std::vector<std::byte> list(std::string_view name, const std::vector<std::byte>& from);
+  std::vector<std::uint64_t> points(std::vector<std::uint64_t> from) const;
+  std::vector<std::uint64_t> ends_of_pairs(std::span<const std::uint64_t> from);
+  /// `from`: `per_pair` numbers of each of the pairs that ends_of_pairs() received.
+  std::vector<double> of_kept_pairs(std::span<const double> from, std::size_t per_pair) const;
   /// `per_eight` numbers of each eight slots of the body.
   template <class T>
-  void eights(std::string_view name, const std::vector<T>& from, std::span<T> to, std::size_t per_eight) const {
+  void eights(OfEights kind, const std::vector<T>& from, std::span<T> to, std::size_t per_eight) const {
     const Share& share = body_.particles.share();
     if constexpr (std::is_same_v<T, std::uint8_t>)
-      if (name.ends_with(".bonds")) return bonds(from, to, per_eight);
+      if (kind == OfEights::bonds) return bonds(from, to, per_eight);
     share.shift(*body_.particles.lattice(), std::span<const T>(from), to, per_eight, body_.cells);
     if (std::is_floating_point_v<T> && per_eight == fccda::byte_lanes) share.refresh({to.data()});
   }

@@ -82,8 +82,8 @@ class ShortRange {
       visit(body + ".threshold", EightNumbers(std::span<double>(kept_.thresholds[b]), bodies[b].particles));
       if (yields()) visit(body + ".latest_pressure", EightNumbers(std::span<double>(kept_.latest_pressures[b]), bodies[b].particles));
     }
-    visit("pair_ends", kept_.ends);
-    visit("pair_slips", kept_.slips);
+    visit("pair_ends", EndsOfPairs(kept_.ends));
+    visit("pair_slips", NumbersOfPairs(kept_.slips));
     discard_pairs_of_others();
     near_pairs_.forget();
   }

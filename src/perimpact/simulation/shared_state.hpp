@@ -19,14 +19,6 @@
 
 namespace perimpact {
 
-/// The body of a list of points of a detector, "<impactor>.<body>.points_inside" and the like; null for other names.
-const Body* body_of_points(std::string_view name, std::span<const Body> bodies);
-/// True for the lists of pairs in contact, two ids each, and of the slips of these pairs.
-bool is_ends_of_pairs(std::string_view name);
-bool is_slips_of_pairs(std::string_view name);
-/// True for counters that each rank has of its own work.
-bool is_counter_of_work(std::string_view name);
-
 /// Passes the arrays of the whole run to the sink on the root, on which other arrays are the same as everywhere. Collective.
 template <class Sink>
 class GatheredState {
@@ -42,21 +34,17 @@ class GatheredState {
       pass(name, values.share->gather(std::span<const T>(numbers), values.per_eight));
     } else if constexpr (requires { values.slots; }) {
       pass(name, values.share->gather_listed(std::span<const T>(numbers), values.slots));
-    } else if (const Body* body = body_of_points(name, bodies_)) {
+    } else if constexpr (requires { values.body; }) {
       std::vector<T> points;
-      for (const T point : numbers) points.push_back(static_cast<T>(body->particles.share().whole_slot(static_cast<std::size_t>(point))));
+      for (const T point : numbers) points.push_back(bodies_[values.body].particles.share().whole_slot(point));
       points = ranks_.join_all(std::span<const T>(points));
       std::ranges::sort(points);
       pass(name, std::move(points));
-    } else if (is_ends_of_pairs(name)) {
-      const std::vector<T> ends = ranks_.join(std::span<const T>(numbers));
-      order_of_pairs_.resize(ends.size() / 2);
-      std::iota(order_of_pairs_.begin(), order_of_pairs_.end(), std::size_t{0});
-      std::ranges::sort(order_of_pairs_, {}, [&](std::size_t pair) { return std::pair(ends[2 * pair], ends[2 * pair + 1]); });
-      pass(name, in_order_of_pairs(ends));
-    } else if (is_slips_of_pairs(name)) {  // visited after their ends
-      pass(name, in_order_of_pairs(ranks_.join(std::span<const T>(numbers))));
-    } else if (is_counter_of_work(name)) {
+    } else if constexpr (requires { values.per_pair; }) {
+      const std::vector<T> joined = ranks_.join(std::span<const T>(numbers));
+      if constexpr (std::is_same_v<std::remove_cvref_t<Values>, EndsOfPairs>) order(joined);
+      pass(name, in_order_of_pairs(joined, values.per_pair));
+    } else if constexpr (requires { values.is_own; }) {
       std::vector<T> sums;
       for (const T number : numbers) sums.push_back(static_cast<T>(ranks_.sum(static_cast<std::int64_t>(number))));
       pass(name, std::move(sums));
@@ -71,11 +59,16 @@ class GatheredState {
     if (ranks_.is_root()) sink_(name, std::span<T>(whole));
   }
 
+  void order(std::span<const std::uint64_t> ends) {
+    order_of_pairs_.resize(ends.size() / EndsOfPairs::per_pair);
+    std::iota(order_of_pairs_.begin(), order_of_pairs_.end(), std::size_t{0});
+    std::ranges::sort(order_of_pairs_, {}, [&](std::size_t pair) { return std::pair(ends[2 * pair], ends[2 * pair + 1]); });
+  }
   template <class T>
-  std::vector<T> in_order_of_pairs(const std::vector<T>& joined) const {
+  std::vector<T> in_order_of_pairs(const std::vector<T>& joined, std::size_t per_pair) const {
     std::vector<T> sorted;
+    if (joined.empty()) return sorted;  // slips without friction
     sorted.reserve(joined.size());
-    const std::size_t per_pair = order_of_pairs_.empty() ? 0 : joined.size() / order_of_pairs_.size();
     for (const std::size_t pair : order_of_pairs_)
       sorted.insert(sorted.end(), joined.begin() + static_cast<std::ptrdiff_t>(pair * per_pair),
                     joined.begin() + static_cast<std::ptrdiff_t>((pair + 1) * per_pair));
@@ -136,15 +129,16 @@ class TakenState {
       values.share->take_listed(std::span<const T>(on_root<T>(name, count)), numbers, values.slots);
     } else if constexpr (fccda::is_list<std::remove_cvref_t<Values>>) {
       source_(name, values);
-      const Body* body = body_of_points(name, bodies_);
-      if (!body) return;
-      std::vector<T> own;
-      for (const T point : values)
-        if (const auto slot = body->particles.share().owned_slot(static_cast<std::size_t>(point))) own.push_back(static_cast<T>(*slot));
-      values = std::move(own);
+      if constexpr (requires { values.body; }) {
+        std::vector<T> own;
+        for (const T point : values)
+          if (const auto slot = bodies_[values.body].particles.share().owned_slot(point)) own.push_back(*slot);
+        values.assign(own);
+      }
     } else {
       source_(name, values);
-      if (is_counter_of_work(name) && !ranks_.is_root()) std::ranges::fill(numbers, T{});
+      if constexpr (requires { values.is_own; })
+        if (!ranks_.is_root()) std::ranges::fill(numbers, T{});
     }
   }
 

@@ -47,7 +47,7 @@ PairsInRange after_breaking(int ranks, const Cell& cells, const Vec3d& shift, co
       if (!i || !j) return;
       body.family.cut([&](std::size_t s, std::size_t t) { return (s == *i && t == *j) || (s == *j && t == *i); });
       body.internal.visit_state("", [&](const std::string&, auto values) {
-        if constexpr (std::is_same_v<decltype(values), std::span<std::uint32_t>>)
+        if constexpr (std::is_base_of_v<std::span<std::uint32_t>, decltype(values)>)
           for (const std::size_t end : {*i, *j})
             if (body.particles.owns(end)) ++values[end / fccda::byte_lanes];
       });

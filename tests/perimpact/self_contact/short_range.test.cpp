@@ -48,7 +48,7 @@ template <class Breaks>
 void break_bonds(Body& body, const Breaks& breaks) {
   body.family.cut(breaks);
   body.internal.visit_state("", [](const std::string&, auto values) {
-    if constexpr (std::is_same_v<decltype(values), std::span<std::uint32_t>>)
+    if constexpr (std::is_base_of_v<std::span<std::uint32_t>, decltype(values)>)
       for (std::uint32_t& end : values) ++end;
   });
 }

@@ -33,6 +33,7 @@
 #include "perimpact/materials/ordinary_state/corrected_bond.hpp"
 #include "perimpact/materials/ordinary_state/ordinary_state.hpp"
 #include "perimpact/materials/plasticity/plasticity.hpp"
+#include "perimpact/particles/shared_numbers.hpp"
 
 namespace perimpact {
 
@@ -147,8 +148,8 @@ class PlasticForce {
   void derive_from_state(const Particles& particles, const Family& family);
   template <class Visitor>
   void visit_record(const std::string& name, Visitor&& visit) {
-    visit(name + ".dissipation_of_eight", std::span<double>(dissipation_));
-    visit(name + ".pending_dissipation_of_eight", std::span<double>(pending_));
+    visit(name + ".dissipation_of_eight", SumsSinceBeginning(std::span<double>(dissipation_)));
+    visit(name + ".pending_dissipation_of_eight", SumsSinceBeginning(std::span<double>(pending_)));
   }
 
   /// The constants of a bond, or of a pack of bonds of a list.
