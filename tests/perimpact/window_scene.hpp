@@ -1,4 +1,4 @@
-/// A body whose window moves, for tests of runs on several ranks and on devices.
+/// Bodies whose window moves.
 #pragma once
 
 #include <filesystem>
@@ -11,17 +11,46 @@ namespace fixtures {
 
 using namespace perimpact;
 
-inline constexpr double window_spacing = 1.0 / 512;  // [m]
+inline constexpr double window_spacing = 1.0 / 512;  // [m]; positions on the lattice are exact, so that they do not depend on its first cell
+inline constexpr int window_added = 8;               // cells of a move
 
 /// A small ball.
-inline ImpactorSetup window_ball(const std::string& name, const Vec3d& position, const Vec3d& velocity) {
+inline ImpactorSetup window_ball(const std::string& name, const Vec3d& position, const Vec3d& velocity, double diameter = 6 * window_spacing) {
   ImpactorSetup setup;
   setup.name = name;
-  setup.surface = SphereSurface{.diameter = 6 * window_spacing, .edge_length = 0.75 * window_spacing};
+  setup.surface = SphereSurface{.diameter = diameter, .edge_length = diameter / 8};
   setup.mass = 0.05;
   setup.position = position;
   setup.velocity = velocity;
   return setup;
+}
+
+/// A strip of cells along x, struck in its middle, and a remote impactor, the guide, that travels somewhat more than eight spacings in ten steps.
+inline Setup struck_strip(int cells, double centre, Model model, int steps, const Vec3d& direction = {-1, 0, 0}) {
+  Setup setup;
+  setup.time = {.end = steps * 2e-7, .step = 2e-7};
+  setup.output.history_interval = 1e-6;
+  const double across = 8 * window_spacing, length = cells * window_spacing;
+  const bool along_x = direction.x != 0;
+  BodySetup strip = body_setup({.size = along_x ? Vec3d{length, across, 4 * window_spacing} : Vec3d{across, length, 4 * window_spacing},
+                                .spacing = window_spacing,
+                                .critical_stretch = 4e-4,
+                                .model = model});
+  strip.position = along_x ? Vec3d{centre, 0, 0} : Vec3d{0, centre, 0};
+  setup.bodies = {strip};
+  const double top = 2 * window_spacing;
+  setup.impactors = {window_ball("ball", {0.3 * window_spacing, 0.2 * window_spacing, top + 3 * window_spacing}, {0, 0, -150}),
+                     window_ball("guide", {0, 0, 1}, 8400 * direction)};
+  setup.contact.fragments.law.index = 1;
+  setup.contact.fragments.friction = 0.2;
+  return setup;
+}
+
+/// A window that follows the guide.
+inline MovingWindowSetup window_after(double travel, WindowAxis axis = WindowAxis::x) {
+  MovingWindowSetup window{.follow = "guide", .start_after = travel};
+  window.axis.index = static_cast<int>(axis);
+  return window;
 }
 
 /// A floating strip of 64 x 8 x 4 cells along an axis, held at one end in its plane and with an absorbing layer at the other, whose window

@@ -3,7 +3,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <functional>
 #include <string>
 #include <string_view>
 #include <type_traits>
@@ -16,52 +15,18 @@
 #include "perimpact/bodies.hpp"
 #include "perimpact/resuming.hpp"
 #include "perimpact/simulations.hpp"
+#include "perimpact/window_scene.hpp"
 
 using namespace perimpact;
 
 namespace {
 
 using fixtures::Model;
+using fixtures::struck_strip;
+using fixtures::window_after;
 
-constexpr double spacing = 1.0 / 512;  // [m]; positions on the lattice are exact, so that they do not depend on its first cell
-constexpr int added = 8;               // cells of a move
-
-ImpactorSetup ball(const std::string& name, double diameter, const Vec3d& position, const Vec3d& velocity) {
-  ImpactorSetup setup;
-  setup.name = name;
-  setup.surface = SphereSurface{.diameter = diameter, .edge_length = diameter / 8};
-  setup.mass = 0.05;
-  setup.position = position;
-  setup.velocity = velocity;
-  return setup;
-}
-
-/// A strip of cells along x, struck in its middle, and a remote impactor that travels somewhat more than eight spacings in ten steps.
-Setup struck(int cells, double centre, Model model, int steps, const Vec3d& direction = {-1, 0, 0}) {
-  Setup setup;
-  setup.time = {.end = steps * 2e-7, .step = 2e-7};
-  setup.output.history_interval = 1e-6;
-  const double across = 8 * spacing, length = cells * spacing;
-  const bool along_x = direction.x != 0;
-  BodySetup strip = fixtures::body_setup({.size = along_x ? Vec3d{length, across, 4 * spacing} : Vec3d{across, length, 4 * spacing},
-                                          .spacing = spacing,
-                                          .critical_stretch = 4e-4,
-                                          .model = model});
-  strip.position = along_x ? Vec3d{centre, 0, 0} : Vec3d{0, centre, 0};
-  setup.bodies = {strip};
-  const double top = 2 * spacing;
-  setup.impactors = {ball("ball", 6 * spacing, {0.3 * spacing, 0.2 * spacing, top + 3 * spacing}, {0, 0, -150}),
-                     ball("guide", 6 * spacing, {0, 0, 1}, 8400 * direction)};
-  setup.contact.fragments.law.index = 1;
-  setup.contact.fragments.friction = 0.2;
-  return setup;
-}
-
-MovingWindowSetup window_after(double travel, WindowAxis axis = WindowAxis::x) {
-  MovingWindowSetup window{.follow = "guide", .start_after = travel};
-  window.axis.index = static_cast<int>(axis);
-  return window;
-}
+constexpr double spacing = fixtures::window_spacing;
+constexpr int added = fixtures::window_added;
 
 /// Particles of the window, at least `margin` cells from its ends, whose velocity, displacement or damage differs in any bit from that of the body of the whole
 /// track at the same place, which begins `before` cells earlier; and all such particles.
@@ -87,7 +52,7 @@ TEST_CASE("moving window: where nothing from its ends can have arrived, a window
   for (const Model model : {Model::bond_based, Model::ordinary_state}) {
     // the sheet is struck, and then the window moves by eight cells; a step carries rounding over three cells, and over six with dilatations
     const int steps = model == Model::bond_based ? 18 : 14, margin = added + steps * (model == Model::bond_based ? 3 : 6), cells = 256;
-    Setup with_window = struck(cells, 0, model, steps), of_whole = struck(cells + added, -0.5 * added * spacing, model, steps);
+    Setup with_window = struck_strip(cells, 0, model, steps), of_whole = struck_strip(cells + added, -0.5 * added * spacing, model, steps);
     with_window.bodies[0].moving_window = window_after(0);
     for (Setup* setup : {&with_window, &of_whole}) setup->contact.impactors.crushing_pressure = 1e9, setup->impactors[0].velocity.z = -900;
     Simulation window(with_window), whole(of_whole);
@@ -109,7 +74,7 @@ TEST_CASE("moving window: contact between fragments acts on after the material h
   // late, and by several moves at once
   constexpr int steps = 36, moves = 5, cells = 512, margin = moves * added + 3 * steps;
   const auto shattered = [&](int length, double centre) {
-    Setup setup = struck(length, centre, Model::bond_based, steps, {-5, 0, 0});
+    Setup setup = struck_strip(length, centre, Model::bond_based, steps, {-5, 0, 0});
     setup.impactors[0].velocity.z = -400;
     setup.impactors[0].mass = 1e-4, setup.impactors[0].free_dofs = {"z"};  // bounces off
     return setup;
@@ -133,7 +98,7 @@ TEST_CASE("moving window: contact between fragments acts on after the material h
 TEST_CASE("moving window: ice that has yielded takes its plastic strain along") {
   const int cells = 256, steps = 18;
   const auto yielding = [&](int length, double centre) {
-    Setup setup = struck(length, centre, Model::bond_based, steps);
+    Setup setup = struck_strip(length, centre, Model::bond_based, steps);
     std::get<BondBasedSetup>(setup.bodies[0].material).plasticity = PlasticitySetup{.compressive_strength = 2e7};
     return setup;
   };
@@ -154,7 +119,7 @@ TEST_CASE("moving window: ice that has yielded takes its plastic strain along") 
 TEST_CASE("moving window: edges that do not break stay at the ends of ice that yields, and what was an edge breaks like other ice") {
   constexpr int cells = 96, edge = 3;
   constexpr double middle_of_edge = 0.5 * (cells - edge) * spacing;
-  Setup setup = struck(cells, 0, Model::bond_based, 60);
+  Setup setup = struck_strip(cells, 0, Model::bond_based, 60);
   std::get<BondBasedSetup>(setup.bodies[0].material).plasticity = PlasticitySetup{.compressive_strength = 2e7};
   setup.bodies[0].particle_sets = {{.name = "front", .shape = BoxSolid{{edge * spacing, 1, 1}}, .position = {-middle_of_edge, 0, 0}},
                                    {.name = "rear", .shape = BoxSolid{{edge * spacing, 1, 1}}, .position = {middle_of_edge, 0, 0}}};
@@ -164,7 +129,7 @@ TEST_CASE("moving window: edges that do not break stay at the ends of ice that y
   setup.impactors[1].motion.x = TranslationTable{{{0, 2e-6, 2.2e-6}, {-8400, -8400, 0}, {}, {}}};  // 9 spacings: one move
   // arrive after the move, on what was the front edge before, and on what is the rear edge now
   setup.impactors[0].position = {-middle_of_edge, 0, 5.4 * spacing};
-  setup.impactors.push_back(ball("second", 6 * spacing, {middle_of_edge - added * spacing, 0, 5.4 * spacing}, {0, 0, -150}));
+  setup.impactors.push_back(fixtures::window_ball("second", {middle_of_edge - added * spacing, 0, 5.4 * spacing}, {0, 0, -150}));
   Simulation simulation(setup);
   while (simulation.moving_windows()[0].travel() == 0) {
     simulation.step();
@@ -186,7 +151,7 @@ TEST_CASE("moving window: edges that do not break stay at the ends of ice that y
 }
 
 TEST_CASE("moving window: new material and ice beside it that has yielded exchange equal and opposite forces") {
-  Setup setup = struck(64, 0, Model::bond_based, 20);
+  Setup setup = struck_strip(64, 0, Model::bond_based, 20);
   std::get<BondBasedSetup>(setup.bodies[0].material).plasticity = PlasticitySetup{.compressive_strength = 2e7};
   setup.impactors[0].position.z = 1;  // out of contact
   setup.bodies[0].moving_window = window_after(0);
@@ -215,7 +180,7 @@ TEST_CASE("moving window: new material and ice beside it that has yielded exchan
 }
 
 TEST_CASE("moving window: broken bonds, fracture energy and plastic dissipation of discarded material remain in the totals") {
-  Setup setup = struck(64, 0, Model::bond_based, 14);
+  Setup setup = struck_strip(64, 0, Model::bond_based, 14);
   std::get<BondBasedSetup>(setup.bodies[0].material).plasticity = PlasticitySetup{.compressive_strength = 2e7};
   setup.output.history_interval = 2e-7;
   setup.impactors[0].position.x = 28 * spacing;  // over the material that is discarded
@@ -241,9 +206,9 @@ TEST_CASE("moving window: broken bonds, fracture energy and plastic dissipation 
 
 TEST_CASE("moving window: likewise along y, and in the positive direction") {
   const int cells = 256, steps = 18;
-  Setup with_window = struck(cells, 0, Model::bond_based, steps, {0, 1, 0});
+  Setup with_window = struck_strip(cells, 0, Model::bond_based, steps, {0, 1, 0});
   with_window.bodies[0].moving_window = window_after(0, WindowAxis::y);
-  Simulation window(with_window), whole(struck(cells + added, 0.5 * added * spacing, Model::bond_based, steps, {0, 1, 0}));
+  Simulation window(with_window), whole(struck_strip(cells + added, 0.5 * added * spacing, Model::bond_based, steps, {0, 1, 0}));
   fixtures::run(window), fixtures::run(whole);
   REQUIRE(window.bodies()[0].particles.lattice()->first[1] == added);
   CHECK(window.bodies()[0].internal.broken_bonds() > 0);
@@ -253,7 +218,7 @@ TEST_CASE("moving window: likewise along y, and in the positive direction") {
 }
 
 TEST_CASE("moving window: it follows by multiples of eight spacings once the impactor has travelled start_after, never ahead of it, and never back") {
-  Setup setup = struck(96, 0, Model::bond_based, 60);
+  Setup setup = struck_strip(96, 0, Model::bond_based, 60);
   setup.bodies[0].moving_window = window_after(10 * spacing);
   setup.impactors[1].velocity = {};
   setup.impactors[1].motion.x = TranslationTable{{{0, 1e-5, 1.2e-5}, {-5000, -5000, 5000}, {}, {}}};  // 25 to 30 spacings ahead, then back
@@ -274,7 +239,7 @@ TEST_CASE("moving window: it follows by multiples of eight spacings once the imp
 }
 
 TEST_CASE("moving window: energy that leaves with discarded material is recorded apart, and the balance closes as without a window") {
-  Setup setup = struck(64, 0, Model::bond_based, 0);
+  Setup setup = struck_strip(64, 0, Model::bond_based, 0);
   setup.time = {.end = 180e-7, .step = 1e-7};
   setup.output.history_interval = 1e-7;
   setup.impactors[0].position.x = 20 * spacing;  // waves have reached the rear, but not the front, when the window moves
@@ -305,7 +270,7 @@ TEST_CASE("moving window: energy that leaves with discarded material is recorded
 
 TEST_CASE(
     "moving window: a restart after every step is bitwise exact, with rubble, moving water, an absorbing end, ice that yields and is crushed by the ball") {
-  Setup setup = struck(40, 0, Model::bond_based, 32);
+  Setup setup = struck_strip(40, 0, Model::bond_based, 32);
   std::get<BondBasedSetup>(setup.bodies[0].material).plasticity = PlasticitySetup{.compressive_strength = 2e7};
   setup.bodies[0].particle_sets = {{.name = "end", .shape = BoxSolid{{6 * spacing, 1, 1}}, .position = {-20 * spacing, 0, 0}},
                                    {.name = "rear", .shape = BoxSolid{{12 * spacing, 1, 1}}, .position = {20 * spacing, 0, 0}}};
@@ -329,7 +294,7 @@ TEST_CASE(
 }
 
 TEST_CASE("moving window: the number of threads changes nothing") {
-  Setup setup = struck(40, 0, Model::bond_based, 32);
+  Setup setup = struck_strip(40, 0, Model::bond_based, 32);
   setup.bodies[0].moving_window = window_after(0);
   const auto hash = [&](int threads) {
     const fixtures::Threads with_several(threads);
@@ -364,7 +329,7 @@ TEST_CASE("moving window: new material matches a front that is displaced, rotate
     for (const double sign : {-1.0, 1.0}) {
       CAPTURE(along_x);
       CAPTURE(sign);
-      Setup setup = struck(64, 0, Model::bond_based, 20, along_x ? Vec3d{sign, 0, 0} : Vec3d{0, sign, 0});
+      Setup setup = struck_strip(64, 0, Model::bond_based, 20, along_x ? Vec3d{sign, 0, 0} : Vec3d{0, sign, 0});
       setup.impactors[0].position.z = 1;  // out of contact
       setup.bodies[0].moving_window = window_after(0, along_x ? WindowAxis::x : WindowAxis::y);
       Simulation simulation(setup);
@@ -397,120 +362,4 @@ TEST_CASE("moving window: new material matches a front that is displaced, rotate
       const auto warned = std::ranges::count_if(warnings, [](const std::string& one) { return one.starts_with("The moving window"); });
       CHECK(warned == (along_x && sign < 0 ? 1 : 0));
     }
-}
-
-TEST_CASE("moving window: a window whose front is damaged when it moves is reported at the end") {
-  Setup setup = struck(40, 0, Model::bond_based, 60);
-  setup.impactors[0].position.x = -16 * spacing;
-  setup.bodies[0].moving_window = window_after(20 * spacing);
-  Simulation simulation(setup);
-  fixtures::run(simulation);
-  const std::vector<std::string> warnings = simulation.closing_warnings();
-  CHECK(std::ranges::any_of(warnings, [](const std::string& one) { return one.find("the material at its front was damaged") != std::string::npos; }));
-}
-
-TEST_CASE("moving window: a run ends with a sentence where new material would be inside another impactor") {
-  constexpr int cells = 64, steps = 20;
-  for (const double beyond : {4.0, 20.0}) {  // [spacing] of a resting obstacle from the front
-    Setup setup = struck(cells, 0, Model::bond_based, steps);
-    setup.bodies[0].moving_window = window_after(0);
-    setup.impactors.push_back(ball("pile", 4 * spacing, {-(cells / 2 + beyond) * spacing, 0, 0}, {}));
-    Simulation simulation(setup);
-    if (beyond > added + 2)
-      CHECK_NOTHROW(fixtures::run(simulation));
-    else
-      CHECK_THROWS_WITH_AS(fixtures::run(simulation), doctest::Contains("The moving window of body body has reached impactor pile: "), fccda::RunError);
-  }
-}
-
-TEST_CASE("moving window: a run ends with a sentence where new material would overlap another body") {
-  constexpr int cells = 64, steps = 20;
-  for (const double beyond : {4.0, 20.0}) {  // [spacing] of the nearest particles of another body from the front
-    Setup setup = struck(cells, 0, Model::bond_based, steps);
-    setup.bodies[0].moving_window = window_after(0);
-    BodySetup other = fixtures::body_setup({.size = {4 * spacing, 4 * spacing, 4 * spacing}, .spacing = spacing});
-    other.name = "block", other.position = {-(cells / 2 + 2 + beyond) * spacing, 0, 0};
-    setup.bodies.push_back(other);
-    Simulation simulation(setup);
-    if (beyond > added + 2)
-      CHECK_NOTHROW(fixtures::run(simulation));
-    else
-      CHECK_THROWS_WITH_AS(fixtures::run(simulation), doctest::Contains("The moving window of body body has reached body block: "), fccda::RunError);
-  }
-}
-
-TEST_CASE("moving window: a run ends with a sentence where free material would be put back into a fixed set") {
-  constexpr int cells = 64, steps = 20;
-  const auto fixed_over = [](double low, double high) {  // [spacing] from the rear, in travel along -x
-    Setup setup = struck(cells, 0, Model::bond_based, steps);
-    setup.bodies[0].moving_window = window_after(0);
-    SolidSetup set;
-    set.name = "set", set.shape = BoxSolid{{(high - low) * spacing, 1, 2 * spacing}},
-    set.position = {(cells / 2 - 0.5 * (low + high)) * spacing, 0, -2 * spacing};
-    setup.bodies[0].particle_sets = {set};
-    setup.bodies[0].boundary_conditions = {{"grip", FixedSetup{.particle_set = "set", .directions = {"x", "z"}}}};
-    return setup;
-  };
-  for (const auto& [low, high] : {std::pair{-1, 4}, {20, 30}, {-1, 40}}) {
-    Simulation simulation(fixed_over(low, high));
-    CHECK_THROWS_WITH_AS(
-        fixtures::run(simulation),
-        doctest::Contains("body body moves along -x, and boundary condition body.grip would put back to its initial position material that was free"),
-        fccda::RunError);
-  }
-  for (const auto& [low, high] : {std::pair{60, 65}, {-1, 65}, {40, 65}}) {
-    Simulation simulation(fixed_over(low, high));
-    CHECK_NOTHROW(fixtures::run(simulation));
-  }
-}
-
-TEST_CASE("moving window: a window whose impactor does not move along its axis is warned of") {
-  const auto warned = [](const Setup& setup) {
-    return std::ranges::any_of(Simulation(setup).warnings(), [](const std::string& one) {
-      return one.starts_with("The moving window of body body follows impactor guide, which does not move along y: ");
-    });
-  };
-  Setup setup = struck(40, 0, Model::bond_based, 10, {0, -1, 0});
-  setup.bodies[0].moving_window = window_after(0, WindowAxis::y);
-  CHECK(!warned(setup));
-  setup.impactors[1].velocity = {-1, 0, 0};
-  CHECK(warned(setup));
-  setup.impactors[1].motion.y = TranslationTable{{{0, 1}, {-1, -1}, {}, {}}};
-  CHECK(!warned(setup));
-  setup.impactors[1].motion = {};
-  setup.impactors[1].free_dofs = {"y"};
-  CHECK(!warned(setup));
-}
-
-TEST_CASE("moving window: what cannot move is refused with its reason") {
-  const auto refused = [](const std::function<void(Setup&)>& change, const std::string& words) {
-    Setup setup = struck(40, 0, Model::bond_based, 10);
-    setup.bodies[0].moving_window = window_after(0);
-    change(setup);
-    const std::string sentence = fixtures::complaint(setup);
-    CAPTURE(sentence);
-    CHECK(sentence.starts_with("bodies.body.moving_window"));
-    CHECK(sentence.find(words) != std::string::npos);
-  };
-  refused([](Setup& s) { s.bodies[0].moving_window->follow = "tug"; }, "follow: the window follows impactor tug, which does not exist");
-  refused([](Setup& s) { std::get<BoxSolid>(s.bodies[0].shape).size.x = 42 * spacing; },
-          "it has 42 particles along x, which must be a multiple of 8; make it 0.09375 m long");
-  refused([](Setup& s) { s.bodies[0].holes = {{.name = "hole", .shape = BoxSolid{{0.01, 0.01, 0.01}}}}; }, "it does not fill a box");
-  refused([](Setup& s) { s.bodies[0].failure = FailureSetup{.weibull_modulus = 8}; }, "its strength is scattered");
-  refused([](Setup& s) { s.bodies[0].velocity = {1, 0, 0}; }, "it has an initial velocity");
-  refused(
-      [](Setup& s) {
-        s.bodies[0].cracks = {{"notch", {{0, -1, -1}, {0, 1, -1}, {0, 1, 1}, {0, -1, 1}}}};
-      },
-      "it has initial cracks, which material added later lacks");
-  refused([](Setup& s) { s.output.probes = {{"end", "body", {}}}; }, "probes and lines refer to points of it");
-  refused([](Setup& s) { s.bodies[0].boundary_conditions = {{"push", BodyForceSetup{}}}; }, "push is none of fixed, absorbing and floating");
-  refused(
-      [](Setup& s) {
-        FloatingSetup part;
-        part.particle_set = "part", part.level = 0;
-        s.bodies[0].particle_sets = {{.name = "part", .shape = BoxSolid{{0.01, 1, 1}}}};
-        s.bodies[0].boundary_conditions = {{"sea", part}};
-      },
-      "boundary condition sea floats a part of it; float all of it");
 }
