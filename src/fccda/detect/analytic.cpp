@@ -60,6 +60,7 @@ void Analytic::evaluate(std::size_t point, const Vec3d& position_t0, const Vec3d
                             .normal = motion.t1.turn_to_world(normal),
                             .relocation = motion.t1.to_world(place),
                             .depth = norm(place - path.end),
+                            .radius = radius_,
                             .normal_t0 = began ? motion.t0.turn_to_world(a / start) : Vec3d{}});
 }
 

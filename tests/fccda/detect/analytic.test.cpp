@@ -34,6 +34,7 @@ TEST_CASE("analytic: points that end nearer to the centre than R + r, or pass ri
       found[contact.point] = true;
       CHECK(norm(contact.relocation) == fixtures::relative(0.52, 1e-11));  // R + r and the offset
       CHECK(norm(contact.hit) == fixtures::relative(0.5, 1e-11));
+      CHECK(contact.radius == 0.02);
       CHECK(dot(contact.relocation, paths[contact.point].start) > 0);  // never relocated to the far side
     }
     for (std::size_t i = 0; i < paths.size(); ++i) {
