@@ -1,5 +1,5 @@
 #!/usr/bin/python3
-"""A compressive pulse runs along a bar of finite elements into a peridynamic bar that touches it, and is reflected as the impedances tell:
+"""A compressive pulse runs along a bar of finite elements into a peridynamic bar in contact with it, and is reflected as the impedances require:
 
     PYTHONPATH=build/release/python cases/hull_panel/bar.py [1 [0.5 [2]]]      impedance of the peridynamic bar over that of the finite elements
 
@@ -7,7 +7,7 @@ With Z = ρ c, a pulse of stress σ that comes from the finite elements (Z₁) c
 R = (Z₂ - Z₁)/(Z₂ + Z₁), T = 2 Z₂/(Z₁ + Z₂) (K. F. Graff: Wave Motion in Elastic Solids, 1975, section 2.3). Both bars have the same speed of sound; the impedance is
 changed through Young's modulus and density. Poisson's ratio is 0, so that the wave is that of one dimension.
 
-The finite elements are 8-node hexahedra of dolfinx, with 2×2×2 Gauss points and lumped masses, central differences; the end of the bar that touches the other one is the
+The finite elements are 8-node hexahedra of dolfinx, with 2×2×2 Gauss points and lumped masses, central differences; the end of the bar in contact with the other one is the
 surface of an impactor, moved by this program in each step. The pulse enters as a pressure ½ P (1 - cos(2πt/τ)) on the other end.
 
 Coefficients are ratios of impulses, the integrals of the pulse over time: those do not depend on dispersion, which lowers peaks.

@@ -47,7 +47,7 @@ def plate_force(folder):
     speed = np.linalg.norm(velocity)
     force = np.column_stack([column[f"plate.force_{axis} [N]"] for axis in "xyz"]) @ velocity / speed
     if not (force > 0).any():
-        refuse(f"{column.owner}: the ice does not touch the plate.")
+        refuse(f"{column.owner}: the ice is never in contact with the plate.")
     times = column["time [s]"]
     return times, np.diff(times, prepend=0), force, report["bodies"]["ice"]["mass [kg]"], speed, report, column
 

@@ -37,7 +37,7 @@ def forces(column):
     times = column["time [s]"]
     thrust = impulses(times, column["propeller.shaft.force_x [N]"])
     if thrust[-1] == 0:
-        refuse(f"{column.owner}: the ice does not touch the propeller.")
+        refuse(f"{column.owner}: the ice is never in contact with the propeller.")
     duration = np.diff(np.interp([0.05, 0.95], thrust / thrust[-1], times))[0]
     found = {"thrust: impulse [N s]": thrust[-1], "thrust: duration [s]": duration}
     named = {"thrust": "shaft.force_x [N]", "torque": "shaft.torque [N m]"}

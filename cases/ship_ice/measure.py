@@ -56,10 +56,10 @@ def through_cracks(reference, damage, breadth):
 
 def travel_in_ice(rows):
     """[m] of the ship since first contact of its bow, by row; negative before it."""
-    position, touched = rows["ship.position_x [m]"], np.flatnonzero(rows["ship.bow.force_x [N]"])
-    if len(touched) == 0:
-        refuse(f"{rows.owner}: the bow does not touch the ice; continue the run with --resume.")
-    return position[touched[0]] - position
+    position, contacts = rows["ship.position_x [m]"], np.flatnonzero(rows["ship.bow.force_x [N]"])
+    if len(contacts) == 0:
+        refuse(f"{rows.owner}: the bow is never in contact with the ice; continue the run with --resume.")
+    return position[contacts[0]] - position
 
 
 def curve_of_bow(hull):

@@ -28,8 +28,8 @@ ENDS = 4.5, 1.5  # [s] of the forces
 
 
 def first_contact(rows):
-    touched = np.flatnonzero(rows["ship.bow.force_z [N]"])
-    return rows["time [s]"][touched[0]] if len(touched) else refuse(f"{rows.owner}: the bow does not touch the ice.")
+    contacts = np.flatnonzero(rows["ship.bow.force_z [N]"])
+    return rows["time [s]"][contacts[0]] if len(contacts) else refuse(f"{rows.owner}: the bow is never in contact with the ice.")
 
 
 def draw(results, file, columns, ends):

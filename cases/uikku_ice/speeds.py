@@ -91,7 +91,7 @@ def main():
     if folders := options(__doc__, nargs="*").parse_args().results:
         measured(folders)
         draw(HERE / "figures/speeds.png")
-    print("| h [m] | speed [m/s] | change in the sample [m/s] | mean F_x [kN] | net thrust at this speed [kN] | speed by Lindqvist [m/s] | by Riska [m/s] |")
+    print("| H [m] | speed [m/s] | change in the sample [m/s] | mean F_x [kN] | net thrust at this speed [kN] | speed by Lindqvist [m/s] | by Riska [m/s] |")
     print("|---|---|---|---|---|---|---|")
     for thickness, row in sorted(runs().items()):
         ship = ships()[thickness]

@@ -5,7 +5,7 @@
 /// Cells and arrays marked is_constant are stored once; PartOffsets, CellOffsets and ConnectivityIdOffsets are therefore 0 in every step. Where the
 /// number of points varies, each step is a part with cells of its own. All
 /// other arrays grow by whole chunks with each step, shuffled and deflated, so that a step may begin a few rows behind the end of the previous
-/// one: PointOffsets, PointDataOffsets and CellDataOffsets tell where.
+/// one: PointOffsets, PointDataOffsets and CellDataOffsets state where it begins.
 ///
 /// A reader finds a step through the attribute NSteps of the group Steps and the length of Steps/Values. Their headers lie in the first page of
 /// the file, which is written last and at once (hdf5/staged.hpp); the indices of chunks are of the kind that SWMR is built on (extensible

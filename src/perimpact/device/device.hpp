@@ -11,7 +11,7 @@
 
 namespace perimpact {
 
-/// Every call is completed, as far as the next one can tell, in the order of the calls. Functions throw RunError where the device fails.
+/// Every call is completed, as seen by the next one, in the order of the calls. Functions throw RunError where the device fails.
 class Device {
  public:
   virtual ~Device() = default;

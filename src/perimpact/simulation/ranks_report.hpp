@@ -21,7 +21,7 @@ struct RanksReport {
 RanksReport report_of_ranks(const Simulation& simulation);
 
 /// Of each body, from the time of each rank in the phases of force, which its cells of all bodies share equally; nothing for a run of one rank, or before
-/// the clock can tell the ranks apart. On all ranks. Collective.
+/// the clock resolves the ranks. On all ranks. Collective.
 std::vector<MeasuredLoad> measured_loads(const Simulation& simulation);
 
 }  // namespace perimpact

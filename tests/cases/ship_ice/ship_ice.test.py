@@ -149,7 +149,7 @@ def _(t):
     t.assertEqual(len(times_of_loads(time, np.full_like(time, 3.0) + np.sin(time))), 1)
 
 
-@claim("ship: a bow that does not touch the ice is stated in a sentence, and a sheet in one piece has no floes")
+@claim("ship: a bow that is never in contact with the ice is reported in a sentence, and a sheet in one piece has no floes")
 def _(t):
     import json
 
@@ -161,7 +161,7 @@ def _(t):
     (t.folder / "fragments").mkdir()
     (t.folder / "history.csv").write_text("time [s],ship.position_x [m],ship.bow.force_x [N]\n0,0,0\n1,-2,0\n")
     (t.folder / "run.json").write_text(json.dumps({"setup": {"bodies": {"sheet": {"material": {"density": 900}, "shape": {"box": {"size": [60, 80, 2]}}}}}}))
-    with t.assertRaisesRegex(Missing, r"history\.csv: the bow does not touch the ice; continue the run with --resume\.$"):
+    with t.assertRaisesRegex(Missing, r"history\.csv: the bow is never in contact with the ice; continue the run with --resume\.$"):
         travel_in_ice(history(t.folder))
     pieces = t.folder / "fragments/sheet_end.csv"
     pieces.write_text("fragment [-],particles [-],mass [kg]\n0,100,8640000\n")
