@@ -123,7 +123,7 @@ def ball(scene):
     scene.assertLess(found["ball energy error [-]"], 1e-4)
 
 
-@claim("ice_specimens: every indenter and impactor is predicted to make contact with the ice before the end, and a narrow indenter pushes it at once")
+@claim("ice_specimens: every indenter and impactor is predicted to make contact with the ice before the end, and a narrow indenter makes contact at once")
 def indenters(scene):
     for name in ("drop", "indentation", *EDGES):
         done = scene.expect_success("check", CASE / f"{name}.yaml")

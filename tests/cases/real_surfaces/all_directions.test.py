@@ -29,7 +29,7 @@ def files(t, closed):
             yield path, plain.corners, float((points.max(axis=0) - points.min(axis=0)).max() / 80)
 
 
-@claim("real surfaces: every closed surface of OpenFOAM's examples pushes every particle out of its way, in all six directions")
+@claim("real surfaces: every closed surface of OpenFOAM's examples displaces every particle in its path, in all six directions")
 def _(t):
     for path, corners, spacing in files(t, closed=True):
         for direction in ("+x", "-x", "+y", "-y", "+z", "-z"):

@@ -46,7 +46,7 @@ def _(t):
     expect_all_struck(t, surfaces.CLOSED)
 
 
-@claim("real surfaces: open hulls, propeller and motorcycle strike with the side that is outside, and nothing gets through")
+@claim("real surfaces: open hulls, propeller and motorcycle are in contact with their outer side, and no particle penetrates")
 def _(t):
     expect_all_struck(t, surfaces.OPEN)
 

@@ -54,7 +54,7 @@ def _(t):
         t.assertAlmostEqual(breadth_in_ice(hull, places[-1])[1] * places[-1] / area, 1, delta=0.002)
 
 
-@claim("ship: no deck of the case is warned of")
+@claim("ship: no deck of the case gives a warning")
 def _(t):
     for deck in ("deck.yaml", "paper.yaml", "window.yaml"):
         t.expect_no_warning("check", CASE / deck, "--out", "checked")
@@ -86,7 +86,7 @@ def _(t):
     t.assertAlmostEqual(number("reflection"), math.exp(-damping * plate.characteristic_length / (3 * fastest)), delta=0.0005)
 
 
-@claim("ship: without friction the bow is pushed up cot 24 deg times as hard as back, and the ice breaks")
+@claim("ship: without friction F_z on the bow is cot 24 deg times F_x, and the ice breaks")
 def _(t):
     rows = short(t)
     back, up = (sum(rows[f"ship.bow.force_{axis} [N]"]) for axis in "xz")
@@ -97,7 +97,7 @@ def _(t):
     t.assertGreater(max(rows["ship.bow.force_x [N]"]), 1e5)
 
 
-@claim("ship: with friction the ice pushes back harder for the same push up")
+@claim("ship: with friction F_x on the bow is larger for the same F_z")
 def _(t):
     rows = short(t, "contact.impactors.friction=0.1")
     back, up = (sum(rows[f"ship.bow.force_{axis} [N]"]) for axis in "xz")
@@ -108,7 +108,7 @@ def _(t):
     t.assertGreater(up / back, (1 - steepest * tangent) / (tangent + steepest))
 
 
-@claim("ship: the energy of the first blow closes within 2 % of the ship's work")
+@claim("ship: the energy balance of the first impact closes within 2 % of the ship's work")
 def _(t):
     rows = short(t)
     work = -rows["ship.contact_work [J]"][-1]
@@ -116,7 +116,7 @@ def _(t):
     t.assertLess(max(abs(error) for error in rows["total.energy_balance_error [J]"]), 0.02 * work)
 
 
-@claim("ship: the contributions to the resistance add to the work of the ship")
+@claim("ship: the contributions to the resistance add up to the work of the ship")
 def _(t):
     import numpy as np
     from contributions import contributions
@@ -170,7 +170,7 @@ def _(t):
     t.assertEqual(sizes_of_floes(t.folder), (5, 5))
 
 
-@claim("ship: through-cracks are counted along the way of the ship, not what is cracked on one face or beside it")
+@claim("ship: through-cracks are counted along the track of the ship, not cracks of one face or beside it")
 def _(t):
     import numpy as np
     from measure import through_cracks

@@ -29,7 +29,7 @@ def written(t):
         t.assertEqual((CASE / name).read_text(encoding="utf-8"), free_deck(name), name)
 
 
-@claim("uikku_ice: no deck of the case is warned of, and each has the strengths that were measured")
+@claim("uikku_ice: no deck of the case gives a warning, and each has the strengths that were measured")
 def checked(t):
     for number, test in tests().items():
         said = t.expect_no_warning("check", CASE / name_of(number), "--out", "checked")
@@ -119,7 +119,7 @@ def deflection(t):
     t.assertAlmostEqual(deflection_at_breaking(soft) / deflection_at_breaking(strip), math.sqrt(2), delta=1e-12)
 
 
-@claim("uikku_ice: the window follows the ship, whose bow is pushed up cot 30 deg times as hard as back, and the energy balance closes")
+@claim("uikku_ice: the window follows the ship, where F_z on the bow is cot 30 deg times F_x, and the energy balance closes")
 def run(t):
     sheet, spacing = "bodies.sheet", 0.52  # two layers
     long, wide = 40 * spacing, 40 * spacing

@@ -90,7 +90,7 @@ TEST_CASE("moving window: a run ends with a sentence where free material would b
   }
 }
 
-TEST_CASE("moving window: a window whose impactor does not move along its axis is warned of") {
+TEST_CASE("moving window: an impactor that does not move along the axis of the window gives a warning") {
   const auto warned = [](const Setup& setup) {
     return std::ranges::any_of(Simulation(setup).warnings(), [](const std::string& one) {
       return one.starts_with("The moving window of body body follows impactor guide, which does not move along y: ");
