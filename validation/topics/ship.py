@@ -3,15 +3,14 @@
 import math
 import re
 
-from rows import AtLeast, AtMost, Between, Exactly, Row, Within, read_columns, read_records
+from rows import AtLeast, AtMost, Between, Exactly, Row, Within, read_columns, read_numbers
 from runner import ROOT, script_of
 
 TITLE = "An icebreaker's bow"
 LONG = False
 DECK = "cases/ship_ice/deck.yaml"
 STEM = math.radians(24)
-WINDOW = "window.csv"  # of runs of one to three hours (cases/ship_ice/long_run.py)
-PAPER, FOUR_LAYERS_OF_PAPER = "paper.csv", "paper_layers_4.csv"
+WINDOW, PAPER, PAPER_LAYERS_4 = (ROOT / f"cases/ship_ice/{name}.csv" for name in ("window", "paper", "paper_layers_4"))  # of runs of up to three hours (cases/ship_ice/long_run.py)
 ENTRY = "time.end=2.1 s", "output={frames: 0, history_interval: 0.05 s}"
 CUT = "bodies.sheet.cracks={track: {polygon: [[-31, 0, -2], [31, 0, -2], [31, 0, 2], [-31, 0, 2]]}}", *ENTRY
 SHEET = "bodies.sheet"
@@ -52,25 +51,17 @@ def corner_load():
     return load
 
 
-def long_run(table):
-    """Values of a table of cases/ship_ice by their names."""
-    return {row["quantity"]: float(row["value"]) for row in read_records(ROOT / "cases/ship_ice" / table)}
-
-
-def mean_at_full_breadth(table):
-    """[N] mean of F_x and its standard error."""
-    values = long_run(table)
-    return values["full breadth, mean F_x [N]"], values["full breadth, standard error [N]"]
-
-
-def error_of_ratio():
-    """Standard error of the mean with four layers over that with three."""
-    (three, error_three), (four, error_four) = mean_at_full_breadth(PAPER), mean_at_full_breadth(FOUR_LAYERS_OF_PAPER)
-    return four / three * math.hypot(error_three / three, error_four / four)
+def four_over_three_layers():
+    """Mean resistance in the paper's sheet at full breadth, of four layers over that of three, and its standard error."""
+    (three, error_three), (four, error_four) = (
+        (table["full breadth, mean F_x [N]"], table["full breadth, standard error [N]"]) for table in map(read_numbers, (PAPER, PAPER_LAYERS_4))
+    )
+    ratio = four / three
+    return ratio, ratio * math.hypot(error_three / three, error_four / four)
 
 
 def gathered():
-    window = long_run(WINDOW)
+    window = read_numbers(WINDOW)
     return {
         "window, travel": window["travel [m]"],
         "window, mean": window["full breadth, mean F_x [N]"],
@@ -80,7 +71,7 @@ def gathered():
         "window, period": window["full breadth, dominant period [s]"],
         "window, median floe": window["floes, median side by mass [m]"],
         "window, energy": window["energy balance error [J]"] / window["contact work [J]"],
-        "paper, four layers": mean_at_full_breadth(FOUR_LAYERS_OF_PAPER)[0] / mean_at_full_breadth(PAPER)[0],
+        "paper, four layers": four_over_three_layers()[0],
     }
 
 
@@ -118,7 +109,7 @@ def rows():
         Row("the same with a friction of 0.1", "between all friction down the buttocks and none", "ratio, friction", "", Between(lowest, 1 / math.tan(STEM)), "µ rotates the force by at most atan µ"),
         Row("vertical force on the bow that breaks a sheet cut along the track", "two corners of a plate on water: Westergaard 1926", "split", "MN", Within(corner_load(), 0.15, True), "a semi-empirical static formula; spacing of a third of the thickness"),
         Row("largest vertical force while the whole sheet breaks: four layers over three", "independent of the resolution", "entry, four layers", "", Within(1, 0.05), "strength of a strip of three and of four layers"),
-        Row("mean resistance in the paper's sheet, 58 m at full breadth: four layers over three", "independent of the resolution", "paper, four layers", "", Within(1, 2 * error_of_ratio()), "twice the standard error of the ratio, by block averages; both errors are lower bounds"),
+        Row("mean resistance in the paper's sheet, 58 m at full breadth: four layers over three", "independent of the resolution", "paper, four layers", "", Within(1, 2 * four_over_three_layers()[1]), "twice the standard error of the ratio, by block averages; both errors are lower bounds"),
         Row("energy balance error of the run in the window over the work of the ship", "energy is conserved", "window, energy", "%", AtMost(0.01), "second order of the step, with friction in rubble"),
         Row("the paper's time step is refused (exit code)", "stability of the lattice", "refused", "count", Exactly(2), "an unstable run is useless"),
         Row("its ratio to the critical step of the sheet", "above 7.2 of the infinite lattice, times √1.32 of the bending calibration", "times", "", AtLeast(7.2 * math.sqrt(1.32)), "the surface correction of three layers stiffens the highest mode"),
