@@ -14,11 +14,11 @@ WINDOW, PAPER, PAPER_LAYERS_4 = (ROOT / f"cases/ship_ice/{name}.csv" for name in
 ENTRY = "time.end=2.1 s", "output={frames: 0, history_interval: 0.05 s}"
 CUT = "bodies.sheet.cracks={track: {polygon: [[-31, 0, -2], [31, 0, -2], [31, 0, 2], [-31, 0, 2]]}}", *ENTRY
 SHEET = "bodies.sheet"
-# of four layers none is in the middle; one is held, so that the edge can rotate
-HELD = {"far_end": ("2 m, 81 m", "-29 m, 0"), "port": ("58 m, 2 m", "1 m, -39 m"), "starboard": ("58 m, 2 m", "1 m, 39 m")}
+# of four layers none is in the middle; one is fixed, so that the edge can rotate
+FIXED = {"far_end": ("2 m, 81 m", "-29 m, 0"), "port": ("58 m, 2 m", "1 m, -39 m"), "starboard": ("58 m, 2 m", "1 m, 39 m")}
 FOUR_LAYERS = (
     *ENTRY, f"{SHEET}.spacing=0.5 m", "time.step=0.176 ms",
-    *(f"{SHEET}.particle_sets.{name}={{shape: {{box: {{size: [{size}, 0.4 m]}}}}, position: [{place}, 0.25 m]}}" for name, (size, place) in HELD.items()),
+    *(f"{SHEET}.particle_sets.{name}={{shape: {{box: {{size: [{size}, 0.4 m]}}}}, position: [{place}, 0.25 m]}}" for name, (size, place) in FIXED.items()),
 )  # fmt: skip
 SHORT = (  # the first 1.5 s of a sheet 20 m long, between fixed edges
     f"{SHEET}.shape.box.size=[20 m, 36 m, 2 m]", f"{SHEET}.position=[-10 m, 0, -0.7561 m]",
