@@ -16,17 +16,16 @@ for value in 0.032 0.01 0.003 0.001; do
   variant "stretch_${value}_symmetric" $stretch=$value $failure.compression=symmetric
 done
 
-# Ice that is crushed (the constants of cases/ice_specimens/crushed.yaml), beside the same critical stretch in tension only; half the step, half the spacing
-plasticity="{compressive_strength: 2.3 MPa, failure_strain: 0.003, failure_pressure: 0.2, failure_width: 3, friction_angle: 30 deg}"
-weak=($stretch=3.2e-4) crushed=($stretch=3.2e-4 bodies.ice.material.plasticity="$plasticity")
-variant stretch_3.2e-4 "${weak[@]}"
-variant crushed "${crushed[@]}"
-variant crushed_half_step "${crushed[@]}" time.step=9.5e-6
-variant crushed_in_contact "${crushed[@]}" contact.impactors.crushing_pressure="2.3 MPa"
-variant crushed_in_contact_half_step "${crushed[@]}" contact.impactors.crushing_pressure="2.3 MPa" time.step=9.5e-6
-variant stretch_3.2e-4_fine "${weak[@]}" bodies.ice.spacing=0.025
-variant crushed_fine "${crushed[@]}" bodies.ice.spacing=0.025 time.end="19.3 ms"
-variant crushed_in_contact_fine "${crushed[@]}" contact.impactors.crushing_pressure="2.3 MPa" bodies.ice.spacing=0.025 time.end="19.3 ms"
+# Ice that is crushed, by rigid contact and in contact, beside the same critical stretch in tension only; half the step, half the spacing
+rigid="contact.impactors={friction: 0}" fine=(bodies.ice.spacing=0.025 time.end="19.3 ms")
+variant stretch_3.2e-4 $stretch=3.2e-4
+deck=$case/crushed.yaml variant crushed "$rigid"
+deck=$case/crushed.yaml variant crushed_half_step "$rigid" time.step=9.5e-6
+deck=$case/crushed.yaml variant crushed_in_contact
+deck=$case/crushed.yaml variant crushed_in_contact_half_step time.step=9.5e-6
+variant stretch_3.2e-4_fine $stretch=3.2e-4 bodies.ice.spacing=0.025
+deck=$case/crushed.yaml variant crushed_fine "$rigid" "${fine[@]}"
+deck=$case/crushed.yaml variant crushed_in_contact_fine "${fine[@]}"
 
 # Position of the sphere around the shaft, panel size, no fragment contact
 variant turned_30 bodies.ice.position="[0.80, 0.721, -1.24881]"

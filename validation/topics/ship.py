@@ -41,6 +41,19 @@ def resistance():
     return formulas.lindqvist(formulas.ShipInIce(thickness=2, strength=768e3, friction=0, speed=0))["total"]
 
 
+def elastic_plate():
+    """[N] vertical force of the stem at which an elastic plate on water has a radial crack, and at which one that is split has a circumferential crack."""
+    script = script_of("cases/ship_ice/plate_on_water.py")
+    ice = script.ShipInIce(strength=768e3)
+    return tuple(script.breaking(script.Plate(ice, is_split), ice.waterline, 2.3e6, side)[0] for is_split, side in ((False, 0), (True, 1)))
+
+
+def first_break(folder):
+    """[N] vertical force on the bow in the first row of the history with a broken bond."""
+    history = read_columns(folder / "history.csv")
+    return next(force for force, broken in zip(history["ship.bow.force_z [N]"], history["sheet.broken_bonds [-]"]) if broken > 0)
+
+
 def corner_load():
     """[N] static load that breaks two corners of a plate on water, side by side: H. M. Westergaard, Public Roads 7 (1926) 25. The crushed ice carries it at 2.3 MPa."""
     plate = script_of("cases/ship_ice/resistance.py").ShipInIce(thickness=2, strength=720e3)
@@ -77,13 +90,19 @@ def gathered():
 
 def measure(runner):
     smooth, rough = runner.run("ship", "smooth", DECK, *SHORT), runner.run("ship", "rough", DECK, *SHORT, "contact.impactors.friction=0.1")
-    loads = {name: max(read_columns(runner.run("ship", name, DECK, *settings) / "history.csv")["ship.bow.force_z [N]"]) for name, settings in (("cut", CUT), ("entry", ENTRY), ("entry_layers_4", FOUR_LAYERS))}
+    folders = {name: runner.run("ship", name, DECK, *settings) for name, settings in (("cut", CUT), ("entry", ENTRY), ("entry_layers_4", FOUR_LAYERS))}
+    loads = {name: max(read_columns(folder / "history.csv")["ship.bow.force_z [N]"]) for name, folder in folders.items()}
+    radial, split = elastic_plate()
     refused = runner.call("check", ROOT / "cases/ship_ice/paper.yaml", "--set", "time.step=3.76 ms")
     return {
         "ratio": up_over_back(smooth),
         "ratio, friction": up_over_back(rough),
         "split": loads["cut"],
         "entry, four layers": loads["entry_layers_4"] / loads["entry"],
+        "radial crack": first_break(folders["entry"]),
+        "radial crack, four layers": first_break(folders["entry_layers_4"]),
+        "elastic plate, radial crack": radial,
+        "elastic plate, split": split,
         "refused": float(refused.returncode),
         "times": float(re.search(r"is (\S+) times the critical time step", refused.stderr)[1]),
     }
