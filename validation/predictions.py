@@ -32,13 +32,15 @@ def predictions(numbers):
     plastic_sphere = script_of("cases/ice_specimens/measure.py").plastic_sphere
     force, time = plastic_sphere(10e6)
     stopped = numbers["ice_specimens.ball time over plastic sphere"] * plastic_sphere(1e6 * numbers["ice_specimens.ball crushing pressure"])[1]
+    radial, split = (Within(numbers[f"ship.elastic plate, {case}"], 0.25, True) for case in ("radial crack", "split"))
     found = [
         Prediction("icebreaker without friction, mean resistance with its full breadth in the ice", "Lindqvist's formula, at rest", numbers["ship.window, mean"], "MN", Within(resistance(), 0.25, True)),
         Prediction(f"the same from first contact on, over {numbers['ship.window, travel']:.0f} m, with the entry of the bow", "the same", numbers["ship.window, mean from first contact"], "MN", Within(resistance(), 0.25, True)),
         Prediction("size of its floes, median by mass", "plates on water: a split sheet breaks 6 to 9 m ahead", numbers["ship.window, median floe"], "m", Within(7.5, 1.5)),
         Prediction("dominant period of its load, full breadth", "floes of this size at 3 knots", numbers["ship.window, period"], "s", Within(5, 1)),
-        *(Prediction(subject, "elastic plate on water", numbers[f"ship.{name}"], "MN", Within(numbers[f"ship.elastic plate, {case}"], 0.25, True)) for subject, name, case in (
-            ("vertical force on its bow at which a radial crack opens, three layers", "radial crack", "radial crack"), ("the same, four layers", "radial crack, four layers", "radial crack"), ("vertical force on its bow at which a sheet cut along the track breaks", "split", "split"))),
+        Prediction("vertical force on its bow at which a radial crack opens, three layers", "elastic plate on water", numbers["ship.radial crack"], "MN", radial),
+        Prediction("the same, four layers", "elastic plate on water", numbers["ship.radial crack, four layers"], "MN", radial),
+        Prediction("vertical force on its bow at which a sheet cut along the track breaks", "elastic plate on water", numbers["ship.split"], "MN", split),
         Prediction("ball of ice of 1 m on a plate, 20 m/s: largest force", "plastic sphere at 10 MPa", 1e6 * numbers["ice_specimens.ball force"], "MN", Within(force, 0.1, True)),
         Prediction("the same: time until it stops", "plastic sphere at 10 MPa", stopped, "ms", Within(time, 0.1, True)),
         Prediction("flat indenter in the edge of a floating sheet, w/h = 2, pressure over σ_c", "Michel and Blanchet (1983), 27 tests", numbers["ice_specimens.edge_narrow"], "", Within(2.97, 0.2, True)),
